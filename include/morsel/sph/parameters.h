@@ -1,0 +1,30 @@
+#ifndef morsel_sph_parameters_h
+#define morsel_sph_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace Morsel::SPH
+{
+  /// Numerical choices of one particle body.
+  struct SolidParameters
+  {
+    std::string kernel = "cubic B-spline";
+    /// Smoothing length over particle spacing, h/dp [1]; support is 2h.
+    double smoothing_ratio = 1.3;
+    /// Coefficient of the linear-fit residual hourglass control [1]; 0 = off.
+    double hourglass = 0.5;
+    /// Artificial viscosity (T3-44), linear and quadratic coefficient [1].
+    std::string viscosity       = "auto"; ///< auto|on|off
+    double      viscosity_alpha = 1.;
+    double      viscosity_beta  = 2.;
+    /// dt = cfl * h/c, reduced by viscosity, hourglass and contact [1].
+    double cfl = 0.5;
+
+    void
+    declare(dealii::ParameterHandler &prm);
+  };
+} // namespace Morsel::SPH
+
+#endif
