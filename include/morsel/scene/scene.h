@@ -1,0 +1,111 @@
+#ifndef morsel_scene_scene_h
+#define morsel_scene_scene_h
+
+#include <morsel/contact/parameters.h>
+#include <morsel/jaw/motion.h>
+#include <morsel/materials/parameters.h>
+#include <morsel/sph/parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+
+#include <string>
+#include <vector>
+
+namespace Morsel::Scene
+{
+  /// An axis-parallel rectangle [m].
+  struct Rectangle
+  {
+    dealii::Point<2> lower_corner;
+    dealii::Point<2> upper_corner;
+  };
+
+
+  /// A body of particles: the food.
+  struct ParticleBody
+  {
+    std::string                   name;
+    Rectangle                     shape;
+    unsigned int                  particles_across = 0;  ///< along x
+    double                        spacing          = 0.; ///< dp [m], derived
+    dealii::Point<2>              initial_velocity;      ///< [m/s]
+    Materials::MaterialParameters material; ///< completed from the catalogue
+    Materials::DamageParameters   damage;
+    SPH::SolidParameters          solid;
+  };
+
+
+  /// A rigid body that moves as told: a plate.
+  struct RigidBody
+  {
+    std::string           name;
+    Rectangle             shape;
+    double                node_spacing = 0.; ///< of its surface [m], 0 = dp/2
+    Jaw::MotionParameters motion;
+  };
+
+
+  /// Two bodies that may touch: a particle body and a rigid one.
+  struct ContactPair
+  {
+    std::string food;
+    std::string plate;
+  };
+
+
+  struct TimeParameters
+  {
+    double end_time  = 0.4; ///< [s]
+    double time_step = 0.;  ///< [s], 0 = the stable step
+  };
+
+
+  /// When to stop before the end time.
+  struct StopParameters
+  {
+    double maximum_closure = 0.5; ///< of the food's height [1]
+    /// Complete failure: after its peak the mean occlusal force has fallen
+    /// below this share of it [1] ...
+    double residual_force = 0.2;
+    /// ... and the plates have closed this much further, relative to the
+    /// food's height [1]. 0 with a residual force of 0: never.
+    double closure_after_failure = 0.01;
+  };
+
+
+  struct OutputParameters
+  {
+    bool         fields          = true;
+    unsigned int field_frames    = 40;   ///< about so many moments
+    unsigned int history_samples = 2000; ///< about so many rows at most
+  };
+
+
+  struct MeasureParameters
+  {
+    double fragment_share  = 0.005; ///< smallest fragment, share of mass [1]
+    double friend_distance = 1.2;   ///< in spacings [1]
+  };
+
+
+  /// Everything that one run is about. Constant once read.
+  struct Scene
+  {
+    std::string                name;
+    std::string                title;
+    double                     depth = 1.; ///< out of plane [m]
+    unsigned int               seed  = 1;
+    Rectangle                  domain;
+    std::vector<ParticleBody>  particle_bodies;
+    std::vector<RigidBody>     rigid_bodies;
+    std::vector<ContactPair>   contact_pairs;
+    Contact::ContactParameters contact;
+    TimeParameters             time;
+    StopParameters             stop;
+    OutputParameters           output;
+    MeasureParameters          measures;
+  };
+} // namespace Morsel::Scene
+
+#endif
