@@ -50,7 +50,7 @@ namespace Morsel::Materials
     /// @param particle_volume [m^3] enters the Grady-Kipp rate alone.
     /// Throws InputError where the combination makes no sense.
     DamageLaw(const DamageParameters &parameters,
-              const Elasticity &      elasticity,
+              const Elasticity       &elasticity,
               double                  compressive_strength,
               double                  particle_volume);
   };
@@ -70,29 +70,28 @@ namespace Morsel::Materials
   /// homogeneous of degree one. @p cut_off adds the tensile cut-off
   /// sigma_1/f_t to the modified von Mises driver (away from loaded faces).
   inline double
-  driver_value(const DamageLaw &        law,
-               const Elasticity &       elasticity,
+  driver_value(const DamageLaw         &law,
+               const Elasticity        &elasticity,
                const PlaneStrainStress &sigma,
                const bool               cut_off)
   {
     switch (law.driver)
       {
         case Driver::tensile_stress: // T3-55, scaled to f_t
-          return std::max(0.,
-                          std::max(largest_principal(sigma.xx,
-                                                     sigma.yy,
-                                                     sigma.xy),
-                                   sigma.zz)) /
+          return std::max(
+                     0.,
+                     std::max(largest_principal(sigma.xx, sigma.yy, sigma.xy),
+                              sigma.zz)) /
                  law.tensile_strength;
         case Driver::extension_strain:
           {
             // Largest principal strain from Hooke's law; zz cannot extend.
             const double sigma_1 =
-              largest_principal(sigma.xx, sigma.yy, sigma.xy);
+                largest_principal(sigma.xx, sigma.yy, sigma.xy);
             const double sigma_2 = sigma.xx + sigma.yy - sigma_1;
             const double strain =
-              (sigma_1 - elasticity.poissons_ratio * (sigma_2 + sigma.zz)) /
-              elasticity.youngs_modulus;
+                (sigma_1 - elasticity.poissons_ratio * (sigma_2 + sigma.zz)) /
+                elasticity.youngs_modulus;
             return std::max(0., strain) * law.extension_scale;
           }
         default:
@@ -102,16 +101,15 @@ namespace Morsel::Materials
             const double dx = sigma.xx - mean, dy = sigma.yy - mean,
                          dz = sigma.zz - mean;
             const double J2 =
-              0.5 * (dx * dx + dy * dy + dz * dz) + sigma.xy * sigma.xy;
+                0.5 * (dx * dx + dy * dy + dz * dz) + sigma.xy * sigma.xy;
             const double dI1 = law.von_mises_d * I1;
             const double s =
-              (dI1 + std::sqrt(dI1 * dI1 + 12. * law.von_mises_P * J2)) /
-              (2. * law.von_mises_P);
+                (dI1 + std::sqrt(dI1 * dI1 + 12. * law.von_mises_P * J2)) /
+                (2. * law.von_mises_P);
             if (!cut_off)
               return s;
-            const double sigma_1 =
-              std::max(largest_principal(sigma.xx, sigma.yy, sigma.xy),
-                       sigma.zz);
+            const double sigma_1 = std::max(
+                largest_principal(sigma.xx, sigma.yy, sigma.xy), sigma.zz);
             return std::max(s, sigma_1 / law.tensile_strength);
           }
       }
@@ -141,9 +139,8 @@ namespace Morsel::Materials
   {
     if (s <= r)
       return D;
-    const double rate =
-      law.growth_rate *
-      std::pow(s / law.threshold_scale, law.weibull_modulus / 3.);
+    const double rate = law.growth_rate * std::pow(s / law.threshold_scale,
+                                                   law.weibull_modulus / 3.);
     const double root = std::cbrt(D) + rate * dt;
     return std::min(1., root * root * root);
   }
@@ -160,7 +157,7 @@ namespace Morsel::Materials
   /// 'deviator' the stress of soften() is its exact derivative.
   double
   stored_energy(Softening              softening,
-                const Elasticity &     elasticity,
+                const Elasticity      &elasticity,
                 const ElasticResponse &response,
                 double                 D);
 

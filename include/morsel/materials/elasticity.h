@@ -9,24 +9,24 @@ namespace Morsel::Materials
   /// Moduli of an isotropic elastic solid, derived once from E, nu and rho.
   struct Elasticity
   {
-    double youngs_modulus;   ///< E [Pa]
-    double poissons_ratio;   ///< nu [1]
-    double density;          ///< rho_0 [kg/m^3]
-    double lambda;           ///< first Lame parameter [Pa]
-    double mu;               ///< shear modulus [Pa]
-    double bulk;             ///< K = lambda + 2 mu / 3 [Pa]
-    double p_wave_modulus;   ///< lambda + 2 mu [Pa]
-    double wave_speed;       ///< c = sqrt((lambda + 2 mu) / rho) [m/s]
+    double youngs_modulus; ///< E [Pa]
+    double poissons_ratio; ///< nu [1]
+    double density;        ///< rho_0 [kg/m^3]
+    double lambda;         ///< first Lame parameter [Pa]
+    double mu;             ///< shear modulus [Pa]
+    double bulk;           ///< K = lambda + 2 mu / 3 [Pa]
+    double p_wave_modulus; ///< lambda + 2 mu [Pa]
+    double wave_speed;     ///< c = sqrt((lambda + 2 mu) / rho) [m/s]
 
     Elasticity(const double E, const double nu, const double rho)
-      : youngs_modulus(E)
-      , poissons_ratio(nu)
-      , density(rho)
-      , lambda(E * nu / ((1. + nu) * (1. - 2. * nu)))
-      , mu(E / (2. * (1. + nu)))
-      , bulk(lambda + 2. * mu / 3.)
-      , p_wave_modulus(lambda + 2. * mu)
-      , wave_speed(std::sqrt(p_wave_modulus / rho))
+        : youngs_modulus(E)
+        , poissons_ratio(nu)
+        , density(rho)
+        , lambda(E * nu / ((1. + nu) * (1. - 2. * nu)))
+        , mu(E / (2. * (1. + nu)))
+        , bulk(lambda + 2. * mu / 3.)
+        , p_wave_modulus(lambda + 2. * mu)
+        , wave_speed(std::sqrt(p_wave_modulus / rho))
     {}
   };
 
@@ -70,8 +70,7 @@ namespace Morsel::Materials
   inline double
   volumetric_energy(const double bulk, const double jacobian)
   {
-    return 0.25 * bulk *
-           (jacobian * jacobian - 1. - 2. * std::log(jacobian));
+    return 0.25 * bulk * (jacobian * jacobian - 1. - 2. * std::log(jacobian));
   }
 
 
@@ -99,7 +98,7 @@ namespace Morsel::Materials
                   factor * (1. - third)};
     r.mean     = mean_stress(material.bulk, J);
     r.deviatoric_energy =
-      std::max(0., 1.5 * material.mu * (scale * third - 1.));
+        std::max(0., 1.5 * material.mu * (scale * third - 1.));
     r.volumetric_energy = volumetric_energy(material.bulk, J);
     return r;
   }
@@ -117,15 +116,14 @@ namespace Morsel::Materials
     const double d_xx = e_xx - tr / 3., d_yy = e_yy - tr / 3., d_zz = -tr / 3.;
 
     ElasticResponse r;
-    r.jacobian = 1. + tr;
-    r.deviator = {2. * material.mu * d_xx,
-                  2. * material.mu * d_yy,
-                  2. * material.mu * e_xy,
-                  2. * material.mu * d_zz};
-    r.mean     = material.bulk * tr;
-    r.deviatoric_energy =
-      material.mu *
-      (d_xx * d_xx + d_yy * d_yy + d_zz * d_zz + 2. * e_xy * e_xy);
+    r.jacobian          = 1. + tr;
+    r.deviator          = {2. * material.mu * d_xx,
+                           2. * material.mu * d_yy,
+                           2. * material.mu * e_xy,
+                           2. * material.mu * d_zz};
+    r.mean              = material.bulk * tr;
+    r.deviatoric_energy = material.mu * (d_xx * d_xx + d_yy * d_yy +
+                                         d_zz * d_zz + 2. * e_xy * e_xy);
     r.volumetric_energy = 0.5 * material.bulk * tr * tr;
     return r;
   }
