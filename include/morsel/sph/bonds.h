@@ -1,7 +1,7 @@
 #ifndef morsel_sph_bonds_h
 #define morsel_sph_bonds_h
 
-#include <morsel/sph/kernel.h>
+#include <morsel/core/kernel.h>
 #include <morsel/sph/neighbours.h>
 #include <morsel/sph/particles.h>
 

@@ -1,9 +1,9 @@
 #ifndef morsel_sph_granular_h
 #define morsel_sph_granular_h
 
+#include <morsel/core/kernel.h>
 #include <morsel/materials/elasticity.h>
 #include <morsel/sph/bonds.h>
-#include <morsel/sph/kernel.h>
 #include <morsel/sph/particles.h>
 
 #include <vector>

@@ -1,6 +1,7 @@
 #ifndef morsel_sph_particles_h
 #define morsel_sph_particles_h
 
+#include <morsel/core/records.h>
 #include <morsel/materials/elasticity.h>
 
 #include <deal.II/base/point.h>
@@ -9,31 +10,10 @@
 
 namespace Morsel::SPH
 {
-  /// Displacement [m] and velocity [m/s] of one particle: the record that
-  /// the first loop gathers from neighbours and ranks exchange.
-  struct alignas(32) Motion
-  {
-    double u_x, u_y, v_x, v_y;
-  };
-
-
   /// What the second loop gathers: P B - k_hg H / 2 [Pa].
   struct alignas(32) PairStress
   {
     double xx, xy, yx, yy;
-  };
-
-
-  struct Vector2
-  {
-    double x, y;
-  };
-
-
-  /// Symmetric 2x2 matrix.
-  struct Symmetric2
-  {
-    double xx, yy, xy;
   };
 
 

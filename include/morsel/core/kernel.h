@@ -1,10 +1,10 @@
-#ifndef morsel_sph_kernel_h
-#define morsel_sph_kernel_h
+#ifndef morsel_core_kernel_h
+#define morsel_core_kernel_h
 
 #include <algorithm>
 #include <string>
 
-namespace Morsel::SPH
+namespace Morsel
 {
   enum class KernelKind
   {
@@ -12,7 +12,7 @@ namespace Morsel::SPH
     wendland_c2
   };
 
-  /// The kernel with a name of SolidParameters::kernel.
+  /// The kernel with a name of SPH::SolidParameters::kernel.
   inline KernelKind
   kernel_named(const std::string &name)
   {
@@ -80,6 +80,6 @@ namespace Morsel::SPH
   private:
     static constexpr double pi = 3.14159265358979323846;
   };
-} // namespace Morsel::SPH
+} // namespace Morsel
 
 #endif
