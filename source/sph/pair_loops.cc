@@ -1,5 +1,6 @@
 #include <morsel/sph/pair_loops.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Morsel::SPH
@@ -99,7 +100,8 @@ namespace Morsel::SPH
                const unsigned int                    begin,
                const unsigned int                    end)
     {
-      const double inverse_density = 1. / c.material.density;
+      const double                  inverse_density = 1. / c.material.density;
+      [[maybe_unused]] const double h               = c.smoothing_length;
       for (unsigned int i = begin; i < end; ++i)
         {
           const Motion            a   = p.motion[i];
@@ -124,17 +126,16 @@ namespace Morsel::SPH
               if constexpr (viscosity)
                 {
                   // Pi_ij of T3-44 (sign corrected) along the current pair
-                  // direction, with the reference gradient's magnitude.
+                  // direction, with the reference gradient's weight.
                   const double r_x = X + du_x, r_y = Y + du_y;
                   const double v_x = b.v_x - a.v_x, v_y = b.v_y - a.v_y;
-                  const double vr = v_x * r_x + v_y * r_y;
-                  const double h  = c.smoothing_length;
+                  const double vr =
+                      std::min(0., v_x * r_x + v_y * r_y); // approaching
                   const double r2 = r_x * r_x + r_y * r_y;
-                  const double mu = vr < 0. ? h * vr / (r2 + 0.01 * h * h) : 0.;
-                  const double pi =
-                      mu * (c.viscosity_beta * mu -
-                            c.viscosity_alpha * c.material.wave_speed);
-                  const double q = w * pi * std::sqrt((X * X + Y * Y) / r2);
+                  const double mu = h * vr / (r2 + 0.01 * h * h);
+                  const double q  = w * mu *
+                                   (c.viscosity_beta * mu -
+                                    c.viscosity_alpha * c.material.wave_speed);
                   g_x -= q * r_x;
                   g_y -= q * r_y;
                   power -= q * vr;
