@@ -1,3 +1,4 @@
+#include <morsel/core/errors.h>
 #include <morsel/core/parallel.h>
 #include <morsel/sph/solid.h>
 
@@ -18,11 +19,9 @@ namespace Morsel::SPH
 
 
   Solid::Solid(const Scene::ParticleBody &body,
-               const double               depth,
-               const unsigned int         seed,
-               const double               friend_distance,
-               const double               contact_stiffness_factor)
-      : depth(depth)
+               const Scene::Scene        &scene,
+               const MPI_Comm             communicator)
+      : depth(scene.depth)
       , cfl(body.solid.cfl)
       , kernel(kernel_named(body.solid.kernel),
                body.solid.smoothing_ratio * body.spacing)
@@ -33,33 +32,50 @@ namespace Morsel::SPH
       , softening(body.damage.softening == "deviator"
                       ? Materials::Softening::deviator
                       : Materials::Softening::tensile_principal)
+      , host(communicator,
+             body.shape.lower_corner,
+             body.shape.upper_corner,
+             kernel.support(),
+             body.spacing)
       , constants{material,
                   softening,
                   body.solid.viscosity_alpha,
                   body.solid.viscosity_beta,
                   kernel.h}
+      , strain_loop(choose_strain_loop(linear_law, body.damage.enabled))
       , viscosity(body.solid.viscosity == "on" ||
                   (body.solid.viscosity == "auto" && body.damage.enabled))
   {
-    const auto        &lower = body.shape.lower_corner;
-    const auto         size  = body.shape.upper_corner - lower;
-    const double       dp    = body.spacing;
-    const unsigned int rows  = std::lround(size[1] / dp);
+    force_loop = choose_force_loop(viscosity);
+    if (body.damage.enabled &&
+        dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+      throw InputError("Body '" + body.name +
+                       "' can fail (Damage/Enabled = true), which runs on one "
+                       "rank only: start the program without mpirun, or with "
+                       "'mpirun -np 1'.");
+    fill(body);
+    if (body.damage.enabled)
+      make_breakable(body, scene);
+  }
 
-    particles.spacing = dp;
-    particles.volume  = dp * dp * depth;
-    particles.mass    = material.density * particles.volume;
-    for (unsigned int r = 0; r < rows; ++r)
-      for (unsigned int c = 0; c < body.particles_across; ++c)
-        {
-          particles.reference.emplace_back(lower[0] + (c + 0.5) * dp,
-                                           lower[1] + (r + 0.5) * dp);
-          particles.id.push_back(particles.id.size());
-        }
-    const unsigned int n = particles.n_owned = particles.n_local =
-        particles.reference.size();
 
-    const auto &v = body.initial_velocity;
+  void
+  Solid::fill(const Scene::ParticleBody &body)
+  {
+    host.insert_lattice(body.shape.lower_corner,
+                        body.shape.upper_corner,
+                        body.particles_across);
+    const double dp     = body.spacing;
+    particles.spacing   = dp;
+    particles.volume    = dp * dp * depth;
+    particles.mass      = material.density * particles.volume;
+    particles.n_owned   = host.n_owned();
+    particles.n_local   = host.n_local();
+    particles.reference = host.reference_positions();
+    particles.id.assign(host.ids().begin(), host.ids().end());
+
+    const unsigned int n = particles.n_local;
+    const auto        &v = body.initial_velocity;
     particles.motion.assign(n, {0., 0., v[0], v[1]});
     particles.half_velocity.assign(n, {v[0], v[1]});
     particles.acceleration.assign(n, {0., 0.});
@@ -72,50 +88,67 @@ namespace Morsel::SPH
 
     bonds.build(particles, kernel);
     particles.shape.resize(n);
-    for (unsigned int i = 0; i < n; ++i)
-      particles.shape[i] = inverse(bonds.moment(i));
-
-    strain_loop = choose_strain_loop(linear_law, body.damage.enabled);
-    force_loop  = choose_force_loop(viscosity);
-    if (body.damage.enabled)
+    for (unsigned int i = 0; i < particles.n_owned; ++i)
       {
-        const Materials::DamageLaw law(body.damage,
-                                       material,
-                                       body.material.compressive_strength,
-                                       particles.volume);
-        fracture = std::make_unique<Fracture>(particles,
-                                              bonds,
-                                              kernel,
-                                              material,
-                                              linear_law,
-                                              law,
-                                              body.damage,
-                                              friend_distance * dp,
-                                              seed);
-        granular = std::make_unique<Granular>(
-            particles,
-            bonds,
-            kernel,
-            material,
-            GranularConstants{body.damage.granular_friction,
-                              body.solid.viscosity_alpha,
-                              body.solid.viscosity_beta,
-                              contact_stiffness_factor *
-                                  material.p_wave_modulus * depth},
-            fracture->exposed_particles(),
-            fracture->contact_diameters());
+        const Symmetric2 m = bonds.moment(i);
+        if (smaller_eigenvalue(m) < 1e-3)
+          throw InputError(
+              "Body '" + body.name +
+              "': its particles do not span the plane (a single row or column "
+              "has no strain across it); use at least two rows and columns.");
+        particles.shape[i] = inverse(m);
       }
+  }
+
+
+  void
+  Solid::make_breakable(const Scene::ParticleBody &body,
+                        const Scene::Scene        &scene)
+  {
+    const Materials::DamageLaw law(body.damage,
+                                   material,
+                                   body.material.compressive_strength,
+                                   particles.volume);
+    fracture = std::make_unique<Fracture>(particles,
+                                          bonds,
+                                          kernel,
+                                          material,
+                                          linear_law,
+                                          law,
+                                          body.damage,
+                                          scene.measures.friend_distance *
+                                              particles.spacing,
+                                          scene.seed);
+    granular = std::make_unique<Granular>(
+        particles,
+        bonds,
+        kernel,
+        material,
+        GranularConstants{body.damage.granular_friction,
+                          body.solid.viscosity_alpha,
+                          body.solid.viscosity_beta,
+                          scene.contact.stiffness * material.p_wave_modulus *
+                              depth},
+        fracture->exposed_particles(),
+        fracture->contact_diameters());
   }
 
 
   double
   Solid::stable_time_step(const double contact_stiffness) const
   {
-    // Lattice: stable up to about 1.0 h/c, measured; a spring of stiffness k
-    // on one particle adds k/m to the square of the highest frequency.
-    const double elastic = kernel.h / material.wave_speed;
-    const double highest = 4. / (elastic * elastic);
-    return cfl * 2. / std::sqrt(highest + contact_stiffness / particles.mass);
+    // Undamped, the lattice is stable up to 1.0 h/c (measured), that is to a
+    // highest frequency of 2 c/h; a spring of stiffness k on one particle
+    // adds k/m to its square. Linear viscosity damps the shortest wave at
+    // 1.54 alpha c/dp (sum over the lattice's pairs); evaluated at a
+    // predicted velocity it asks for w^2 dt^2/4 + g dt/2 < 1.
+    const double c = material.wave_speed;
+    const double w2 =
+        4. * c * c / (kernel.h * kernel.h) + contact_stiffness / particles.mass;
+    const double g =
+        viscosity ? 1.54 * constants.viscosity_alpha * c / particles.spacing
+                  : 0.;
+    return cfl * (std::sqrt(0.25 * g * g + w2) - 0.5 * g) * 2. / w2;
   }
 
 
@@ -125,9 +158,16 @@ namespace Morsel::SPH
     parallel_for(particles.n_owned, [&](unsigned int begin, unsigned int end) {
       strain_loop(particles, bonds, constants, begin, end);
     });
+    host.exchange(particles.pair_stress);
     parallel_for(particles.n_owned, [&](unsigned int begin, unsigned int end) {
       force_loop(particles, bonds, constants, time_step, begin, end);
     });
+  }
+
+
+  void
+  Solid::add_grain_forces(const double time_step)
+  {
     if (granular && granular->active())
       granular->add_forces(time_step);
   }
@@ -172,6 +212,13 @@ namespace Morsel::SPH
           m.v_y = v.y + 0.5 * dt * a.y;
         }
     });
+    host.exchange(particles.motion);
+  }
+
+
+  void
+  Solid::advance_grains(const double dt)
+  {
     if (granular && granular->active())
       granular->advance(dt);
   }
@@ -219,6 +266,8 @@ namespace Morsel::SPH
         e.friction_heat = granular->friction_heat();
         e.viscous_heat += granular->viscous_heat();
       }
+    double *const all = &e.strain;
+    host.sum(dealii::ArrayView<double>(all, sizeof(e) / sizeof(double)));
     return e;
   }
 
@@ -232,6 +281,7 @@ namespace Morsel::SPH
         p.x += particles.mass * particles.half_velocity[i].x;
         p.y += particles.mass * particles.half_velocity[i].y;
       }
+    host.sum(dealii::ArrayView<double>(&p.x, 2));
     return p;
   }
 
@@ -263,6 +313,19 @@ namespace Morsel::SPH
     for (unsigned int i = 0; i < particles.n_owned; ++i)
       count += !(density_ratio(i) > 0.) || !std::isfinite(density_ratio(i));
     return count;
+  }
+
+
+  long
+  Solid::first_not_finite() const
+  {
+    for (unsigned int i = 0; i < particles.n_owned; ++i)
+      {
+        const Motion &m = particles.motion[i];
+        if (!std::isfinite(m.u_x + m.u_y + m.v_x + m.v_y))
+          return i;
+      }
+    return -1;
   }
 
 

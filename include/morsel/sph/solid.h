@@ -6,6 +6,7 @@
 #include <morsel/sph/bonds.h>
 #include <morsel/sph/fracture.h>
 #include <morsel/sph/granular.h>
+#include <morsel/sph/host.h>
 #include <morsel/sph/pair_loops.h>
 #include <morsel/sph/particles.h>
 
@@ -31,24 +32,30 @@ namespace Morsel::SPH
   /// matrix in strain and force, with damage and granular response where the
   /// scene asks for them.
   ///
-  /// Call order of a step: compute_accelerations(), apply_forces() for each
-  /// contact, fracture(), advance().
+  /// Call order of a step: compute_accelerations(), add_grain_forces(),
+  /// apply_forces() for each contact, grow_damage(), advance(),
+  /// advance_grains(). Sums (energies, momentum, counts) are over all ranks
+  /// and collective.
   class Solid
   {
   public:
+    /// Fills the body's shape on the ranks of @p communicator.
+    /// @throws InputError for effects that one rank alone can simulate.
     Solid(const Scene::ParticleBody &body,
-          double                     depth,
-          unsigned int               seed,
-          double                     friend_distance,
-          double                     contact_stiffness_factor);
+          const Scene::Scene        &scene,
+          MPI_Comm                   communicator);
 
-    /// Largest stable step [m/s] times the body's CFL factor, with a contact
-    /// of @p contact_stiffness [N/m] per particle.
+    /// The body's CFL factor times the largest stable step [s], with a
+    /// contact of @p contact_stiffness [N/m] per particle.
     double
     stable_time_step(double contact_stiffness) const;
 
     void
     compute_accelerations(double time_step);
+
+    /// Forces of unbonded pairs; nothing where nothing has failed.
+    void
+    add_grain_forces(double time_step);
 
     void
     apply_forces(const std::vector<Contact::ParticleForce> &forces);
@@ -57,9 +64,13 @@ namespace Morsel::SPH
     void
     grow_damage(double time_step);
 
-    /// Leapfrog: half velocities, displacements, and the grains' state.
+    /// Leapfrog: half velocities and displacements.
     void
     advance(double time_step);
+
+    /// Density and stress of the grains.
+    void
+    advance_grains(double time_step);
 
     /// Marks the particles in whose stress numerical tension is expected.
     void
@@ -110,6 +121,19 @@ namespace Morsel::SPH
       return fracture ? fracture->failed_share() : 0.;
     }
 
+    const ParticleHost<2> &
+    get_host() const
+    {
+      return host;
+    }
+
+    bool
+    has_viscosity() const
+    {
+      return viscosity;
+    }
+
+    /// Density over reference density [1].
     double
     density_ratio(unsigned int i) const;
 
@@ -117,7 +141,17 @@ namespace Morsel::SPH
     unsigned int
     inverted_count() const;
 
+    /// A particle whose state is not finite, or -1.
+    long
+    first_not_finite() const;
+
   private:
+    void
+    fill(const Scene::ParticleBody &body);
+
+    void
+    make_breakable(const Scene::ParticleBody &body, const Scene::Scene &scene);
+
     const double                depth;
     const double                cfl;
     const Kernel                kernel;
@@ -125,13 +159,14 @@ namespace Morsel::SPH
     const bool                  linear_law;
     const Materials::Softening  softening;
 
-    Particles     particles;
-    Bonds         bonds;
-    LoopConstants constants;
-    StrainLoop    strain_loop;
-    ForceLoop     force_loop;
-    bool          viscosity;
-    bool          started = false;
+    ParticleHost<2> host;
+    Particles       particles;
+    Bonds           bonds;
+    LoopConstants   constants;
+    StrainLoop      strain_loop;
+    ForceLoop       force_loop;
+    bool            viscosity;
+    bool            started = false;
 
     std::unique_ptr<Fracture> fracture;
     std::unique_ptr<Granular> granular;
