@@ -211,6 +211,10 @@ namespace Morsel::SPH
     using Mesh    = dealii::parallel::distributed::Triangulation<dim, dim>;
     using Handler = dealii::Particles::ParticleHandler<dim, dim>;
 
+    /// Two particles at exactly the support count as interacting: the pair
+    /// loops may differ in the last bit about them. Relative.
+    static constexpr double support_tolerance = 1e-9;
+
     /// A particle as the traversal of the handler meets it.
     struct Found;
 
