@@ -10,7 +10,7 @@ from . import style
 MOST_SQUARES = 60000
 
 
-def spacing_of(points, area=None):
+def spacing_of(points):
     """The lattice spacing [m] of the undeformed particles."""
     extent = points.max(axis=0) - points.min(axis=0)
     n = len(points)
@@ -83,7 +83,7 @@ def scale_bar(axes, view):
     width = view[1][0] - view[0][0]
     length = 10.0 ** np.floor(np.log10(width / 4))
     length *= max(m for m in (1, 2, 5) if m * length <= width / 4)
-    x, y = view[0][0] + 0.03 * width, view[0][1] - 0.02 * width
+    x, y = view[0][0] + 0.03 * width, view[0][1] - 0.06 * width
     axes.plot([x, x + length], [y, y], color=style.INK, lw=2.5, clip_on=False,
               solid_capstyle="butt")
     axes.annotate(f"{length:g} mm", (x + length, y), xytext=(5, 0),
@@ -128,7 +128,7 @@ def caption(run, title, frame):
     parts = [style.quantity(frame.time, "s", 3)]
     strain = run.at("nominal_strain", frame.time)
     if strain is not None:
-        parts.append(style.percent(strain) + " closed")
+        parts.append(f"{100 * strain:.1f}\u202f% closed")
     if run.mean_force() is not None:
         force = float(np.interp(frame.time, run.column("time"),
                                 run.mean_force()))
@@ -146,7 +146,7 @@ def moments(run):
         ("damage", "Damage", style.DAMAGE),
         ("von_mises", "Von Mises stress", style.STRESS),
         ("stress_yy", "Axial stress", "RdBu"))
-        if chosen[-1][1].read(field) is not None]
+        if chosen[-1][1].read(field) is not None][:2]
     if not rows:
         rows = [(None, "Particles", None)]
     spacing = 1e3 * spacing_of(frames[0].points())
@@ -221,9 +221,11 @@ def fragments(run):
     spacing = 1e3 * spacing_of(frames[0].points())
     start, end = 1e3 * frames[0].points(), 1e3 * frames[-1].points()
     same = len(start) == len(end)
-    figure, grid = plt.subplots(1, 2 if same else 1, squeeze=False,
-                                layout="constrained", figsize=(9.6, 4.6))
     view = extent_of([frames[-1], frames[0]])
+    aspect = (view[1][1] - view[0][1]) / (view[1][0] - view[0][0])
+    figure, grid = plt.subplots(
+        1, 2 if same else 1, squeeze=False, layout="constrained",
+        figsize=(9.6, 0.55 + 4.8 * min(aspect, 1.5)))
     pictures = [("Where the pieces are at the end", end, frames[-1])]
     if same:
         pictures.append(("Where they were in the whole block", start,
@@ -240,7 +242,7 @@ def fragments(run):
 
 def number_fragments(axes, points, labels, count):
     """Writes the rank on the largest pieces, at a particle of each."""
-    for fragment in range(min(count, 12)):
+    for fragment in range(min(count, 20)):
         members = points[labels == fragment]
         if len(members) < 12:
             continue
