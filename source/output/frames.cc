@@ -71,6 +71,9 @@ namespace Morsel::Output
         for (std::size_t c = 0; c < patches.size(); ++c)
           {
             patches[c].patch_index = c;
+            if constexpr (dim > 0) // left invalid by the constructor
+              patches[c].reference_cell =
+                  dealii::ReferenceCells::get_hypercube<dim>();
             patches[c].data.reinit(names.size(), n_vertices);
             for (unsigned int v = 0; v < n_vertices; ++v)
               {
