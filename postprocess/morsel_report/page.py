@@ -138,7 +138,7 @@ def outcome(run):
     given = run.text("outcome")
     sentences = [given] if given else []
     strain = run.column("nominal_strain")
-    peak, reached = run.peak_time(), run.value("failed_completely")
+    peak, reached = run.peak_time(), run.value("complete_failure")
     if not given and peak is not None:
         verb = ("broke completely" if reached else
                 "was loaded" if reached is None else

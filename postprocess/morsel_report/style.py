@@ -113,5 +113,5 @@ def quantity(value, unit, significant=4):
 def is_share(name, unit):
     """Whether a dimensionless result reads better in percent."""
     return unit == "1" and (
-        name.endswith(("_share", "_error", "_strain"))
+        name.endswith(("_share", "_error", "_strain", "strain_at_peak"))
         or "_error_" in name or "_over_strain_" in name)

@@ -5,7 +5,7 @@ from . import style
 
 # Above these the reader has to know: (result, limit, sentence).
 LIMITS = [
-    ("kinetic_over_strain_energy", 0.05,
+    ("kinetic_over_strain_energy_before_peak", 0.05,
      "The loading was not quasi-static: just before the peak the kinetic "
      "energy was {value} of the strain energy (5\u202f% is the limit). Inertia "
      "adds to the forces; a slower plate gives the food's own strength."),
@@ -25,7 +25,7 @@ def warnings_of(run):
         value = run.value(name)
         if value is not None and abs(value) > limit:
             sentences.append(sentence.format(value=style.percent(abs(value))))
-    if run.value("failed_completely") == 0:
+    if run.value("complete_failure") == 0:
         sentences.append(
             "The food did not fail completely before the run ended: strength "
             "and pieces are those of a part of the stroke.")

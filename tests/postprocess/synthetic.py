@@ -175,11 +175,11 @@ def write_summary(folder, **more):
         "largest_fragment_share": entry(0.142, "1", "mass share of the "
                                         "largest fragment"),
         "failed_share": entry(0.27, "1", "mass share that has failed"),
-        "failed_completely": entry(1, "1", "1 if the criterion was met"),
+        "complete_failure": entry(1, "1", "1 if the criterion was met"),
         "energy_balance_error": entry(0.024, "1", "closing error at the end"),
         "energy_balance_error_at_peak": entry(0.0021, "1", "closing error at "
                                               "the peak"),
-        "kinetic_over_strain_energy": entry(0.07, "1", "just before the peak"),
+        "kinetic_over_strain_energy_before_peak": entry(0.07, "1", "just before the peak"),
         "momentum_error": entry(2.3e-13, "1", "unexplained change of momentum"),
         "particle_count": entry(10201, "1", "particles"),
         "step_count": entry(8123, "1", "time steps"),

@@ -31,8 +31,8 @@ namespace Morsel::Measure
   ///
   /// @param positions [m]; if they lie on a square lattice of the given
   ///   spacing (to 2 %, in whatever offset, along the axes) each of them is a
-  ///   pixel. Otherwise a pixel of that width is filled where the particles'
-  ///   smoothed area fraction exceeds one half.
+  ///   pixel. Otherwise a pixel of half that width is filled where the
+  ///   particles' smoothed area fraction exceeds one half.
   /// @param areas of each particle [m^2]; matter for scattered ones only.
   /// @param spacing mean distance of neighbours [m].
   /// @return [m]
