@@ -148,10 +148,11 @@ def fragment_sizes(run):
     # Beyond some tens the bars say nothing more; the rest is in the sum.
     shown = min(len(share), 40)
     rank = np.arange(1, shown + 1)
+    count = int(run.value("fragment_count", len(share)))
     figure, axes = plt.subplots(figsize=(6.2, 3.7), layout="constrained")
     axes.bar(rank, 100 * share[:shown], width=0.82,
              color=[style.FRAGMENTS[k % len(style.FRAGMENTS)]
-                    for k in range(shown)])
+                    if k < count else style.CRUMB for k in range(shown)])
     axes.set_xlabel("Fragment, the largest first")
     axes.set_ylabel("Share of the food [%]")
     axes.set_xlim(0.3, shown + 0.7)

@@ -107,7 +107,8 @@ def quantity(value, unit, significant=4):
     """A value in a fitting prefix, with its unit."""
     factor, prefixed = prefix_of(value, unit)
     name = pretty_unit(prefixed)
-    return digits(value * factor, significant) + ("\u202f" + name if name else "")
+    number = digits(value * factor, significant)
+    return number + ("\u202f" + name if name else "")
 
 
 def is_share(name, unit):

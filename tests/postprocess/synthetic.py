@@ -179,7 +179,8 @@ def write_summary(folder, **more):
         "energy_balance_error": entry(0.024, "1", "closing error at the end"),
         "energy_balance_error_at_peak": entry(0.0021, "1", "closing error at "
                                               "the peak"),
-        "kinetic_over_strain_energy_before_peak": entry(0.07, "1", "just before the peak"),
+        "kinetic_over_strain_energy_before_peak": entry(
+            0.07, "1", "just before the peak"),
         "momentum_error": entry(2.3e-13, "1", "unexplained change of momentum"),
         "particle_count": entry(10201, "1", "particles"),
         "step_count": entry(8123, "1", "time steps"),
