@@ -19,19 +19,13 @@ namespace
 
 
   bool
-  advises(const Scene::Scene &scene, const std::string &part)
+  advises(const std::vector<std::string> &overrides, const std::string &part)
   {
+    const Scene::Scene scene = Scene::read_scene(peanut, overrides);
     for (const std::string &text : scene.warnings)
       if (text.find(part) != std::string::npos)
         return true;
     return false;
-  }
-
-
-  bool
-  advises(const std::vector<std::string> &overrides, const std::string &part)
-  {
-    return advises(Scene::read_scene(peanut, overrides), part);
   }
 } // namespace
 
