@@ -70,8 +70,6 @@ build()
     quietly "$build/configure.log" cmake -G Ninja -S "$root" -B "$build" \
       -DCMAKE_BUILD_TYPE=Release
   fi
-  if ! ninja -C "$build" -n "$@" 2>/dev/null | grep -q 'no work to do'; then
-    echo "Building (some minutes the first time) ..."
-  fi
+  [ -x "$build/morsel" ] || echo "Building (some minutes the first time) ..."
   quietly "$build/build.log" ninja -C "$build" -j "$(build_jobs)" "$@"
 }

@@ -33,7 +33,8 @@ namespace Morsel::Jaw
     const auto before = load;
     load              = surface.total_force();
     work_done -= 0.5 * (before + load) * (moved - accounted_at);
-    impulse_given -= load * kick;
-    accounted_at = moved;
+    impulse_given += impulse_to_come;
+    impulse_to_come = -load * kick;
+    accounted_at    = moved;
   }
 } // namespace Morsel::Jaw

@@ -51,8 +51,8 @@ namespace Morsel::Measure
     largest          = std::max(largest, energies.largest_term());
     const double gap = energies.external_work + initial - energies.stored() -
                        energies.dissipated();
-    error_last  = largest > 0. ? std::abs(gap) / largest : 0.;
-    error_worst = std::max(error_worst, error_last);
+    error_last = largest > 0. ? std::abs(gap) / largest : 0.;
+    worst_gap  = std::max(worst_gap, std::abs(gap));
     if (force > peak_force)
       {
         peak_force = force;
@@ -79,7 +79,7 @@ namespace Morsel::Measure
   double
   EnergyLedger::largest_error() const
   {
-    return error_worst;
+    return largest > 0. ? worst_gap / largest : 0.;
   }
 
 

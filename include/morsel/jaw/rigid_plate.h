@@ -50,7 +50,8 @@ namespace Morsel::Jaw
       return work_done;
     }
 
-    /// Impulse that the plate has given to the food [N s].
+    /// Impulse that the plate has given to the food up to the last half step
+    /// at which the food's velocities stand [N s].
     const dealii::Tensor<1, 2> &
     impulse() const
     {
@@ -62,8 +63,9 @@ namespace Morsel::Jaw
 
   private:
     std::vector<dealii::Point<2>> initial_nodes;
-    dealii::Tensor<1, 2> moved, speed, load, impulse_given, accounted_at;
-    double               work_done = 0.;
+    dealii::Tensor<1, 2> moved, speed, load, impulse_given, impulse_to_come,
+        accounted_at;
+    double work_done = 0.;
   };
 } // namespace Morsel::Jaw
 

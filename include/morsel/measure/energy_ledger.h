@@ -61,7 +61,7 @@ namespace Morsel::Measure
     double
     error_at_end() const;
 
-    /// The largest one over all samples.
+    /// The largest gap of all samples, over the largest term.
     double
     largest_error() const;
 
@@ -71,11 +71,11 @@ namespace Morsel::Measure
 
   private:
     double   initial;
-    double   largest     = 0.;
-    double   peak_force  = 0.;
-    double   error_peak  = 0.;
-    double   error_last  = 0.;
-    double   error_worst = 0.;
+    double   largest    = 0.;
+    double   peak_force = 0.;
+    double   error_peak = 0.;
+    double   error_last = 0.;
+    double   worst_gap  = 0.;
     Energies last_sample;
   };
 

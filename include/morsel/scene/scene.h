@@ -103,8 +103,8 @@ namespace Morsel::Scene
   struct OutputParameters
   {
     bool         fields          = true;
-    unsigned int field_frames    = 40;   ///< about so many moments
-    unsigned int history_samples = 2000; ///< about so many rows at most
+    unsigned int field_frames    = 40;  ///< about so many moments
+    unsigned int history_samples = 600; ///< about so many rows at most
 
     void
     declare(dealii::ParameterHandler &prm);
