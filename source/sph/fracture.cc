@@ -226,32 +226,35 @@ namespace Morsel::SPH
           }
       }
 
-    // Longer bonds that passed by here may have lost their chain; cutting
-    // one can leave still longer ones without theirs: until none is left.
-    for (bool again = true; again;)
+    // Longer bonds that passed by here may have lost their chain, and each one
+    // that is cut was perhaps a link of longer ones at both its ends.
+    suspects.assign(bonds.list.index.begin() + bonds.list.start[i],
+                    bonds.list.index.begin() + bonds.list.start[i + 1]);
+    while (!suspects.empty())
       {
-        again = false;
-        for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
-             ++k)
-          again = cut_unsupported(bonds.list.index[k]) || again;
+        const unsigned int j = suspects.back();
+        suspects.pop_back();
+        cut_unsupported(j);
       }
   }
 
 
-  bool
+  void
   Fracture::cut_unsupported(const unsigned int i)
   {
     if (particles.failed[i])
-      return false;
+      return;
     bool any = false;
     for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
       if (bonds.weight[k] > 0. &&
           bonds.length_square(k) > friend_distance_square && !supported(i, k))
         {
           cut(k, i);
+          suspects.push_back(bonds.list.index[k]);
           any = true;
         }
-    return any;
+    if (any)
+      suspects.push_back(i);
   }
 
 

@@ -32,6 +32,7 @@ namespace Morsel::SPH
       , softening(body.damage.softening == "deviator"
                       ? Materials::Softening::deviator
                       : Materials::Softening::tensile_principal)
+      , hourglass_stiffness(body.solid.hourglass * material.youngs_modulus)
       , host(communicator,
              body.shape.lower_corner,
              body.shape.upper_corner,
@@ -81,8 +82,7 @@ namespace Morsel::SPH
     particles.acceleration.assign(n, {0., 0.});
     particles.gradient.assign(n, {0., 0., 0., 0.});
     particles.pair_stress.assign(n, {0., 0., 0., 0.});
-    particles.hourglass.assign(n,
-                               body.solid.hourglass * material.youngs_modulus);
+    particles.hourglass.assign(n, hourglass_stiffness);
     if (viscosity)
       particles.viscous_heat.assign(n, 0.);
 
@@ -137,14 +137,19 @@ namespace Morsel::SPH
   double
   Solid::stable_time_step(const double contact_stiffness) const
   {
-    // Undamped, the lattice is stable up to 1.0 h/c (measured), that is to a
-    // highest frequency of 2 c/h; a spring of stiffness k on one particle
-    // adds k/m to its square. Linear viscosity damps the shortest wave at
-    // 1.54 alpha c/dp (sum over the lattice's pairs); evaluated at a
-    // predicted velocity it asks for w^2 dt^2/4 + g dt/2 < 1.
+    // Undamped, the lattice is stable up to about 1.0 h/c (measured), that is
+    // to a highest frequency of 2 c/h; where hourglass control is stiffer than
+    // stress, its own highest one rules: 3.4 alpha E/(rho h^2) is the largest
+    // square of it (measured over kernels and smoothing ratios). A spring of
+    // stiffness k on one particle adds k/m to the square. Linear viscosity
+    // damps the shortest wave at 1.54 alpha c/dp (sum over the lattice's
+    // pairs); evaluated at a predicted velocity it asks for
+    // w^2 dt^2/4 + g dt/2 < 1.
     const double c = material.wave_speed;
     const double w2 =
-        4. * c * c / (kernel.h * kernel.h) + contact_stiffness / particles.mass;
+        std::max(4. * c * c, 3.4 * hourglass_stiffness / material.density) /
+            (kernel.h * kernel.h) +
+        contact_stiffness / particles.mass;
     const double g =
         viscosity ? 1.54 * constants.viscosity_alpha * c / particles.spacing
                   : 0.;

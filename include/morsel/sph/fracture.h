@@ -83,7 +83,7 @@ namespace Morsel::SPH
     void
     fail(unsigned int i);
 
-    bool
+    void
     cut_unsupported(unsigned int i);
 
     void
@@ -108,7 +108,7 @@ namespace Morsel::SPH
     const double                friend_distance_square;
     const double                hourglass_stiffness;
 
-    std::vector<unsigned int> newly_failed, failed_now, touched;
+    std::vector<unsigned int> newly_failed, failed_now, touched, suspects;
     std::vector<double>       energy_before;
     std::vector<char>         is_touched, exposed;
     std::vector<double>       contact_diameter;

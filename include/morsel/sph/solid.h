@@ -158,6 +158,7 @@ namespace Morsel::SPH
     const Materials::Elasticity material;
     const bool                  linear_law;
     const Materials::Softening  softening;
+    const double                hourglass_stiffness; ///< alpha E [Pa]
 
     ParticleHost<2> host;
     Particles       particles;

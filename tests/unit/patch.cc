@@ -1,0 +1,254 @@
+// Proves: the discrete operators are exact for linear fields on lattices and
+// clouds, blind to rigid motions, the exact derivative of the discrete energy,
+// and free of net force and moment.
+#include "patch_body.h"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace Morsel;
+using namespace Morsel::SPH;
+
+namespace
+{
+  struct Case
+  {
+    const char *name;
+    double      scatter;
+    KernelKind  kind;
+    double      ratio;
+  };
+
+  const Case cases[] = {
+      {"lattice", 0., KernelKind::cubic_b_spline, 1.3},
+      {"lattice, Wendland C2", 0., KernelKind::wendland_c2, 1.6},
+      {"cloud", 0.2, KernelKind::cubic_b_spline, 1.3},
+      {"cloud, Wendland C2, wide", 0.2, KernelKind::wendland_c2, 2.}};
+
+  PatchBody
+  body_of(const Case &c, const bool linear)
+  {
+    return PatchBody(17, 12, linear, c.scatter, c.kind, c.ratio);
+  }
+
+
+  double
+  largest_acceleration(const PatchBody &body)
+  {
+    double largest = 0.;
+    for (const Vector2 &a : body.p.acceleration)
+      largest = std::max({largest, std::abs(a.x), std::abs(a.y)});
+    return largest / body.unit_acceleration();
+  }
+} // namespace
+
+
+BOOST_AUTO_TEST_SUITE(patch)
+
+BOOST_AUTO_TEST_CASE(gradient_of_a_linear_field_is_exact)
+{
+  const Materials::Tensor2 H{0.02, -0.03, 0.05, -0.01};
+  for (const Case &c : cases)
+    {
+      PatchBody body = body_of(c, false);
+      body.set_linear(H, 1e-3, -2e-3);
+      double worst = 0., residual = 0.;
+      for (unsigned int i = 0; i < body.p.n_owned; ++i)
+        {
+          const auto G = displacement_gradient(body.p, body.bonds, i);
+          worst        = std::max({worst,
+                                   std::abs(G.xx - H.xx),
+                                   std::abs(G.xy - H.xy),
+                                   std::abs(G.yx - H.yx),
+                                   std::abs(G.yy - H.yy)});
+        }
+      body.strain();
+      for (unsigned int i = 0; i < body.p.n_owned; ++i)
+        residual = std::max(residual, fit_residual(body.p, body.bonds, i));
+      BOOST_TEST_MESSAGE("gradient of a linear field, " << c.name << ": error "
+                                                        << worst);
+      BOOST_TEST(worst < 1e-14);
+      BOOST_TEST(residual < 1e-28 * body.p.volume);
+    }
+}
+
+
+BOOST_AUTO_TEST_CASE(rigid_motions_cause_neither_stress_nor_force)
+{
+  for (const Case &c : cases)
+    {
+      PatchBody body   = body_of(c, false);
+      double    stress = 0., force = 0.;
+      for (int k = 0; k < 8; ++k)
+        {
+          const double angle = 0.7854 * k + 0.1;
+          body.set_linear({std::cos(angle) - 1.,
+                           -std::sin(angle),
+                           std::sin(angle),
+                           std::cos(angle) - 1.},
+                          3e-3,
+                          1e-2);
+          body.accelerate();
+          for (const auto &s : body.p.effective)
+            stress = std::max({stress,
+                               std::abs(s.xx),
+                               std::abs(s.yy),
+                               std::abs(s.xy),
+                               std::abs(s.zz)});
+          force = std::max(force, largest_acceleration(body));
+        }
+      stress /= body.material.youngs_modulus;
+      BOOST_TEST_MESSAGE("rigid motions, " << c.name << ": stress/E " << stress
+                                           << ", force " << force);
+      BOOST_TEST(stress < 1e-14);
+      BOOST_TEST(force < 1e-13);
+    }
+}
+
+
+BOOST_AUTO_TEST_CASE(constant_stress_is_in_balance_inside_a_lattice)
+{
+  for (const bool linear : {true, false})
+    for (const Case &c : cases)
+      {
+        if (c.scatter > 0.)
+          continue;
+        PatchBody body(20, 18, linear, 0., c.kind, c.ratio);
+        body.set_linear({0.02, 0.03, -0.01, -0.05}, 0., 0.);
+        body.accelerate();
+        // Two supports from the edge every neighbour has all of its own.
+        const double reach  = 2. * body.kernel.support();
+        double       worst  = 0.;
+        unsigned int inside = 0;
+        for (unsigned int i = 0; i < body.p.n_owned; ++i)
+          {
+            const auto &X = body.p.reference[i];
+            if (X[0] < reach || X[0] > 19e-3 - reach || X[1] < reach ||
+                X[1] > 17e-3 - reach)
+              continue;
+            ++inside;
+            worst = std::max({worst,
+                              std::abs(body.p.acceleration[i].x),
+                              std::abs(body.p.acceleration[i].y)});
+          }
+        BOOST_TEST_MESSAGE("constant stress, "
+                           << c.name << ": force "
+                           << worst / body.unit_acceleration());
+        BOOST_TEST(worst < 1e-14 * body.unit_acceleration());
+        BOOST_TEST(inside > 10u);
+      }
+}
+
+
+BOOST_AUTO_TEST_CASE(forces_and_moments_sum_to_zero)
+{
+  for (const bool linear : {true, false})
+    for (const Case &c : cases)
+      {
+        PatchBody body = body_of(c, linear);
+        body.set_random(0.05);
+        for (unsigned int i = 0; i < body.p.n_owned; ++i)
+          {
+            body.p.damage[i] = 0.01 * (i % 70);
+            body.p.hourglass[i] *= 1. - body.p.damage[i];
+          }
+        body.accelerate();
+        double f_x = 0., f_y = 0., size = 0., moment = 0., moment_size = 0.;
+        for (unsigned int i = 0; i < body.p.n_owned; ++i)
+          {
+            // Finite strain: about where the particles are now. Small strain:
+            // about where they were.
+            const Vector2 a = body.p.acceleration[i];
+            const auto    x = linear ? body.p.reference[i] : body.p.position(i);
+            f_x += a.x;
+            f_y += a.y;
+            size += std::hypot(a.x, a.y);
+            moment += x[0] * a.y - x[1] * a.x;
+            moment_size += std::hypot(a.x, a.y) * x.norm();
+          }
+        const double net        = std::hypot(f_x, f_y) / size;
+        const double net_moment = std::abs(moment) / moment_size;
+        BOOST_TEST_MESSAGE((linear ? "linear, " : "neo-Hooke, ")
+                           << c.name << ": net force " << net << ", net moment "
+                           << net_moment << " of the sum of magnitudes");
+        BOOST_TEST(net < 1e-14);
+        BOOST_TEST(net_moment < 1e-14);
+      }
+}
+
+
+BOOST_AUTO_TEST_CASE(force_is_the_derivative_of_the_energy)
+{
+  for (const bool linear : {true, false})
+    for (const Case &c : cases)
+      {
+        PatchBody body = body_of(c, linear);
+        body.set_random(0.03);
+        for (unsigned int i = 0; i < body.p.n_owned; ++i)
+          {
+            body.p.damage[i] = 0.01 * (i % 70);
+            body.p.hourglass[i] *= 1. - body.p.damage[i];
+          }
+        body.accelerate();
+        const auto   a     = body.p.acceleration;
+        double       worst = 0.;
+        const double step  = 1e-5 * body.spacing,
+                     unit  = body.p.mass * body.unit_acceleration();
+        for (unsigned int i = 0; i < body.p.n_owned; i += 5)
+          for (double Motion::*const u : {&Motion::u_x, &Motion::u_y})
+            {
+              const double there  = body.p.motion[i].*u;
+              body.p.motion[i].*u = there + step;
+              const double above  = body.energy();
+              body.p.motion[i].*u = there - step;
+              const double below  = body.energy();
+              body.p.motion[i].*u = there;
+              const double force =
+                  body.p.mass * (u == &Motion::u_x ? a[i].x : a[i].y);
+              worst = std::max(worst,
+                               std::abs(force + (above - below) / (2. * step)) /
+                                   unit);
+            }
+        BOOST_TEST_MESSAGE((linear ? "linear, " : "neo-Hooke, ")
+                           << c.name << ": force against -dE/du, error "
+                           << worst);
+        BOOST_TEST(worst < 1e-8);
+      }
+}
+
+
+BOOST_AUTO_TEST_CASE(viscous_forces_cancel_and_heat_is_their_power)
+{
+  PatchBody body(17, 12, false, 0.2);
+  body.set_random(0.03);
+  std::mt19937                     generator(5);
+  std::normal_distribution<double> normal(0., 3.);
+  for (Motion &m : body.p.motion)
+    {
+      m.v_x = normal(generator);
+      m.v_y = normal(generator);
+    }
+  body.accelerate();
+  const auto elastic = body.p.acceleration;
+  body.accelerate(true, 1e-6);
+  double f_x = 0., f_y = 0., power = 0., moment = 0., heat = 0., size = 0.;
+  for (unsigned int i = 0; i < body.p.n_owned; ++i)
+    {
+      const double a_x = body.p.acceleration[i].x - elastic[i].x;
+      const double a_y = body.p.acceleration[i].y - elastic[i].y;
+      const auto   x   = body.p.position(i);
+      f_x += a_x;
+      f_y += a_y;
+      moment += (x[0] * a_y - x[1] * a_x) / body.spacing;
+      power += body.p.mass *
+               (a_x * body.p.motion[i].v_x + a_y * body.p.motion[i].v_y);
+      size += std::hypot(a_x, a_y);
+      heat += body.p.viscous_heat[i];
+      BOOST_REQUIRE(body.p.viscous_heat[i] >= 0.);
+    }
+  BOOST_TEST(std::hypot(f_x, f_y) < 1e-13 * size);
+  BOOST_TEST(std::abs(moment) < 1e-12 * size);
+  BOOST_TEST(heat == -power * 1e-6, boost::test_tools::tolerance(1e-10));
+  BOOST_TEST(heat > 0.);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
