@@ -179,7 +179,7 @@ namespace Morsel::SPH
 
 
   void
-  Solid::apply_forces(const std::vector<Contact::ParticleForce> &forces)
+  Solid::apply_forces(const std::vector<ParticleForce> &forces)
   {
     for (const auto &f : forces)
       {
@@ -334,7 +334,7 @@ namespace Morsel::SPH
   }
 
 
-  Contact::ParticleSide
+  ParticleSide
   Solid::contact_side() const
   {
     return {particles.spacing,

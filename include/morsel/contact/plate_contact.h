@@ -10,26 +10,6 @@
 
 namespace Morsel::Contact
 {
-  /// What contact needs to know of the particles that press on a surface.
-  struct ParticleSide
-  {
-    double spacing;          ///< dp [m]
-    double depth;            ///< out of plane [m]
-    double mass;             ///< of one particle [kg]
-    double youngs_modulus;   ///< [Pa]
-    double p_wave_modulus;   ///< lambda + 2 mu [Pa]
-    double smoothing_length; ///< h [m], of the potential's kernel
-  };
-
-
-  /// Force on one particle.
-  struct ParticleForce
-  {
-    unsigned int         particle;
-    dealii::Tensor<1, 2> force; ///< [N]
-  };
-
-
   /// Penalty contact between particles and one surface. Forces are equal and
   /// opposite; those on the surface are shared between a facet's two nodes
   /// so that neither force nor moment is lost.

@@ -1,6 +1,8 @@
 #ifndef morsel_core_records_h
 #define morsel_core_records_h
 
+#include <deal.II/base/tensor.h>
+
 namespace Morsel
 {
   /// Displacement [m] and velocity [m/s] of one particle: the record that
@@ -21,6 +23,26 @@ namespace Morsel
   struct Symmetric2
   {
     double xx, yy, xy;
+  };
+
+
+  /// What contact needs to know of the particles that press on a surface.
+  struct ParticleSide
+  {
+    double spacing;          ///< dp [m]
+    double depth;            ///< out of plane [m]
+    double mass;             ///< of one particle [kg]
+    double youngs_modulus;   ///< [Pa]
+    double p_wave_modulus;   ///< lambda + 2 mu [Pa]
+    double smoothing_length; ///< h [m], of the potential's kernel
+  };
+
+
+  /// Force on one particle.
+  struct ParticleForce
+  {
+    unsigned int         particle;
+    dealii::Tensor<1, 2> force; ///< [N]
   };
 } // namespace Morsel
 

@@ -1,7 +1,6 @@
 #ifndef morsel_sph_solid_h
 #define morsel_sph_solid_h
 
-#include <morsel/contact/plate_contact.h>
 #include <morsel/scene/scene.h>
 #include <morsel/sph/bonds.h>
 #include <morsel/sph/fracture.h>
@@ -58,7 +57,7 @@ namespace Morsel::SPH
     add_grain_forces(double time_step);
 
     void
-    apply_forces(const std::vector<Contact::ParticleForce> &forces);
+    apply_forces(const std::vector<ParticleForce> &forces);
 
     /// Damage growth and broken bonds of this step.
     void
@@ -106,7 +105,7 @@ namespace Morsel::SPH
       return material;
     }
 
-    Contact::ParticleSide
+    ParticleSide
     contact_side() const;
 
     bool
