@@ -213,6 +213,13 @@ namespace Morsel
     most_inverted    = std::max(most_inverted, bite.food().inverted_count());
     last_sample_time = bite.time();
 
+    // Collective: on all ranks, not only on the one that writes.
+    std::vector<double> forces;
+    for (unsigned int p = 0; p < bite.get_plates().size(); ++p)
+      forces.push_back(bite.normal_force(p));
+    for (unsigned int p = 0; p < bite.get_plates().size(); ++p)
+      forces.push_back(bite.tangential_force(p));
+
     if (history)
       {
         std::vector<double> row = {bite.time(),
@@ -220,10 +227,7 @@ namespace Morsel
                                    bite.closure(),
                                    stroke.nominal_strain(),
                                    stroke.nominal_stress()};
-        for (unsigned int p = 0; p < bite.get_plates().size(); ++p)
-          row.push_back(bite.normal_force(p));
-        for (unsigned int p = 0; p < bite.get_plates().size(); ++p)
-          row.push_back(bite.tangential_force(p));
+        row.insert(row.end(), forces.begin(), forces.end());
         row.insert(row.end(),
                    {e.strain,
                     e.hourglass,

@@ -231,7 +231,6 @@ BOOST_AUTO_TEST_CASE(friction_takes_energy_away_and_is_capped)
 
 BOOST_AUTO_TEST_CASE(particle_bounces_back_with_its_energy)
 {
-  // Leapfrog at the step that the contact's stiffness asks for.
   const auto side = side_of_food();
   for (const char *law : {"gap penalty", "potential"})
     {
@@ -239,7 +238,7 @@ BOOST_AUTO_TEST_CASE(particle_bounces_back_with_its_energy)
       Surface    surface = plate();
       const std::vector<dealii::Point<2>> x{{1.02e-3, 1.6 * dp}};
       std::vector<Motion>                 motion{{0., 0., 0., -0.5}};
-      const double dt = 0.2 * std::sqrt(side.mass / contact->stiffness());
+      const double dt = 0.05 * std::sqrt(side.mass / contact->stiffness());
       double       v = -0.5, lowest = 1e300;
       for (int k = 0; k < 100000 && x[0][1] + motion[0].u_y < 1.7 * dp; ++k)
         {
@@ -315,19 +314,15 @@ BOOST_AUTO_TEST_CASE(static_block_tends_to_the_closed_form)
           (samples * s_xy - s_x * s_y) / (samples * s_xx - s_x * s_x) / exact;
       const double inner =
           (samples * s_zy - s_z * s_y) / (samples * s_zz - s_z * s_z) / exact;
-      // Springs of the contact instead of half a spacing at each end.
-      const double k        = bite.food().get_material().p_wave_modulus;
-      const double expected = 1. / (1. - 1. / n + 2. / n * exact / k);
-      const auto   e        = bite.energies();
+      const auto e = bite.energies();
       BOOST_TEST_MESSAGE(
           n << " across: modulus over E/(1-nu^2) from the plates " << modulus
-            << " (springs in series: " << expected << "), in the middle "
-            << inner << "; kinetic over strain energy " << e.kinetic / e.strain
-            << ", energy balance "
+            << ", in the middle " << inner << "; kinetic over strain energy "
+            << e.kinetic / e.strain << ", energy balance "
             << (e.external_work - e.stored() - e.dissipated()) /
                    e.external_work);
-      BOOST_TEST(modulus == expected, boost::test_tools::tolerance(0.02));
-      BOOST_TEST(inner == 1., boost::test_tools::tolerance(0.3 / n));
+      BOOST_TEST(modulus == 1., boost::test_tools::tolerance(0.12 / n));
+      BOOST_TEST(inner == 1., boost::test_tools::tolerance(0.05 / n));
       if (last_modulus != 0.)
         {
           const double order =
@@ -338,7 +333,7 @@ BOOST_AUTO_TEST_CASE(static_block_tends_to_the_closed_form)
                                       << 2. * inner - last_inner);
           BOOST_TEST(order > 0.85);
           BOOST_TEST(2. * modulus - last_modulus == 1.,
-                     boost::test_tools::tolerance(0.01));
+                     boost::test_tools::tolerance(0.002));
         }
       last_modulus = modulus;
       last_inner   = inner;

@@ -321,7 +321,9 @@ namespace
   /// granular response take part.
   struct Collision
   {
-    Collision(const double friction, const double viscosity)
+    Collision(const double friction,
+              const double viscosity,
+              const double offset)
         : body(1, 1, false)
     {
       body.p = Particles();
@@ -329,7 +331,7 @@ namespace
         for (unsigned int y = 0; y < size; ++y)
           for (unsigned int x = 0; x < size; ++x)
             body.add({(x + block * (size + 6.)) * body.spacing,
-                      (y + 0.3 * block) * body.spacing});
+                      (y + offset * block) * body.spacing});
       body.add({0., 1.});
       body.complete();
       far = body.p.n_owned - 1;
@@ -458,7 +460,7 @@ BOOST_AUTO_TEST_SUITE(granular)
 
 BOOST_AUTO_TEST_CASE(blocks_collide_head_on)
 {
-  Collision c(0., 0.);
+  Collision c(0., 0., 0.);
   c.set_velocity(0, 2., 0.);
   c.run(1.2e-3);
   const double v_0 = c.mean_velocity(0).x, v_1 = c.mean_velocity(1).x;
@@ -479,7 +481,7 @@ BOOST_AUTO_TEST_CASE(blocks_collide_head_on)
 
 BOOST_AUTO_TEST_CASE(blocks_rub_and_damp)
 {
-  Collision c(0.5, 1.);
+  Collision c(0.5, 1., 0.3);
   c.set_velocity(0, 2., 1.);
   c.run(1.2e-3);
   BOOST_TEST_MESSAGE(
