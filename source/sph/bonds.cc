@@ -25,16 +25,81 @@ namespace Morsel::SPH
           dy[k]     = X[1];
           weight[k] = area * kernel.gradient_weight(X.norm());
         }
+    pack();
   }
 
 
   void
-  Bonds::find_mirrors()
+  Bonds::pack()
+  {
+    const unsigned int n_rows   = list.n_rows();
+    const unsigned int n_groups = (n_rows + group_size - 1) / group_size;
+    packed.slot_begin.assign(1, 0);
+    for (unsigned int g = 0; g < n_groups; ++g)
+      {
+        unsigned int longest = 0;
+        for (unsigned int i = g * group_size;
+             i < std::min(n_rows, (g + 1) * group_size);
+             ++i)
+          longest = std::max(longest, list.start[i + 1] - list.start[i]);
+        packed.slot_begin.push_back(packed.slot_begin.back() + longest);
+      }
+    packed.slot_end.assign(packed.slot_begin.begin() + 1,
+                           packed.slot_begin.end());
+
+    const unsigned int size = packed.slot_begin.back() * group_size;
+    packed.weight.resize(size, 0.);
+    packed.dx.resize(size, 0.);
+    packed.dy.resize(size, 0.);
+    packed.index.resize(size, 0);
+    packed.place.resize(list.index.size());
+    for (unsigned int i = 0; i < n_groups * group_size; ++i)
+      {
+        const unsigned int g     = i / group_size;
+        const unsigned int row   = std::min(i, n_rows - 1);
+        const unsigned int begin = list.start[row];
+        const unsigned int n     = i < n_rows ? list.start[i + 1] - begin : 0;
+        for (unsigned int s = packed.slot_begin[g]; s < packed.slot_end[g]; ++s)
+          {
+            const unsigned int p = s * group_size + i % group_size;
+            const unsigned int k = begin + (s - packed.slot_begin[g]);
+            packed.index[p]      = row;
+            if (k >= begin + n)
+              continue;
+            packed.weight[p] = weight[k];
+            packed.dx[p]     = dx[k];
+            packed.dy[p]     = dy[k];
+            packed.index[p]  = list.index[k];
+            packed.place[k]  = p;
+          }
+      }
+  }
+
+
+  void
+  Bonds::make_breakable(const Kernel &kernel)
   {
     mirror.resize(list.index.size());
+    packed.average.resize(packed.weight.size(), 0.);
     for (unsigned int i = 0; i < list.n_rows(); ++i)
       for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
-        mirror[k] = find(list.index[k], i);
+        {
+          mirror[k] = find(list.index[k], i);
+          packed.average[packed.place[k]] =
+              kernel.value(std::sqrt(length_square(k)));
+        }
+  }
+
+
+  void
+  Bonds::cut(const unsigned int k)
+  {
+    for (const unsigned int entry : {k, mirror[k]})
+      {
+        weight[entry]                       = 0.;
+        packed.weight[packed.place[entry]]  = 0.;
+        packed.average[packed.place[entry]] = 0.;
+      }
   }
 
 

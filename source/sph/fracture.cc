@@ -17,6 +17,27 @@ namespace Morsel::SPH
 
     /// A particle pressed to this share of its area is crushed.
     constexpr double crushed_jacobian = 0.1;
+
+    /// Groups that are worth a task of their own.
+    constexpr unsigned int grain = 64;
+
+
+    BondedConstants
+    with_driver(BondedConstants              c,
+                const Materials::DamageLaw  &law,
+                const Materials::Elasticity &material,
+                const Kernel                &kernel)
+    {
+      c.crushed_jacobian = crushed_jacobian;
+      c.von_mises_d      = law.von_mises_d;
+      c.von_mises_P      = law.von_mises_P;
+      c.tensile_strength = law.tensile_strength;
+      c.poissons_ratio   = material.poissons_ratio;
+      c.youngs_modulus   = material.youngs_modulus;
+      c.extension_scale  = law.extension_scale;
+      c.average_self     = kernel.value(0.);
+      return c;
+    }
   } // namespace
 
 
@@ -26,15 +47,19 @@ namespace Morsel::SPH
                      const Materials::Elasticity       &material,
                      const bool                         linear_law,
                      const Materials::DamageLaw        &law,
+                     const BondedConstants             &loop_constants,
                      const Materials::DamageParameters &parameters,
                      const double                       friend_distance,
                      const unsigned int                 seed)
       : particles(particles)
       , bonds(bonds)
-      , kernel(kernel)
       , material(material)
       , linear_law(linear_law)
       , law(law)
+      , constants(with_driver(loop_constants, law, material, kernel))
+      , own_driver(pair_kernels().own_driver[static_cast<int>(law.driver)])
+      , average_driver(
+            pair_kernels().average_driver[static_cast<int>(law.driver)])
       , average_stress(parameters.average_stress)
       , friend_distance_square(friend_distance * friend_distance)
       , hourglass_stiffness(
@@ -58,9 +83,39 @@ namespace Morsel::SPH
                ? 1.
                : Materials::weibull_threshold(
                      law.weibull_modulus, seed, particles.id[i]));
-    weakest = *std::min_element(particles.threshold.begin(),
-                                particles.threshold.end());
-    bonds.find_mirrors();
+    bonds.make_breakable(kernel);
+    find_groups_nearby();
+  }
+
+
+  void
+  Fracture::find_groups_nearby()
+  {
+    const unsigned int n_groups = particles.n_groups();
+    particles.crushed.assign(n_groups, 0);
+    particles.strongest.assign(n_groups, 0.);
+    any_full.assign(n_groups, 0);
+    groups_nearby.start.assign(1, 0);
+    std::vector<unsigned int> nearby;
+    for (unsigned int g = 0; g < n_groups; ++g)
+      {
+        const auto &packed = bonds.packed;
+        nearby.assign(1, g);
+        for (unsigned int k = packed.slot_begin[g] * group_size;
+             k < packed.slot_end[g] * group_size;
+             ++k)
+          nearby.push_back(packed.index[k] / group_size);
+        std::sort(nearby.begin(), nearby.end());
+        groups_nearby.index.insert(groups_nearby.index.end(),
+                                   nearby.begin(),
+                                   std::unique(nearby.begin(), nearby.end()));
+        groups_nearby.start.push_back(groups_nearby.index.size());
+
+        const auto first = particles.threshold.begin() + g * group_size;
+        const auto last =
+            first + std::min(group_size, particles.n_owned - g * group_size);
+        weakest_of_group.push_back(*std::min_element(first, last));
+      }
   }
 
 
@@ -71,28 +126,40 @@ namespace Morsel::SPH
 
     // With the tensile cut-off everywhere this bounds every average from
     // above: the driver is convex.
-    parallel_for(particles.n_owned, [&](unsigned int begin, unsigned int end) {
-      for (unsigned int i = begin; i < end; ++i)
-        particles.driver[i] =
-            particles.failed[i]
-                ? 0.
-                : Materials::driver_value(
-                      law, material, particles.effective[i], true);
-    });
-    const double strongest =
-        *std::max_element(particles.driver.begin(), particles.driver.end());
-    if (strongest <= weakest)
-      return newly_failed;
-
-    parallel_for(particles.n_owned, [&](unsigned int begin, unsigned int end) {
-      grow(begin, end, time_step);
-    });
+    const BondedArrays arrays = bonded_arrays(particles, bonds);
+    parallel_for(
+        particles.n_groups(),
+        [&](unsigned int begin, unsigned int end) {
+          own_driver(arrays, constants, begin, end);
+        },
+        grain);
+    std::fill(any_full.begin(), any_full.end(), 0);
+    parallel_for(
+        particles.n_groups(),
+        [&](unsigned int begin, unsigned int end) {
+          for (unsigned int g = begin; g < end; ++g)
+            if (may_grow(g))
+              grow(arrays, g, time_step);
+        },
+        grain);
 
     failed_now.clear();
-    for (unsigned int i = 0; i < particles.n_owned; ++i)
-      if (!particles.failed[i] && particles.damage[i] >= failure_damage)
-        failed_now.push_back(i);
+    for (unsigned int g = 0; g < particles.n_groups(); ++g)
+      if (any_full[g])
+        for (unsigned int i = g * group_size;
+             i < std::min(particles.n_owned, (g + 1) * group_size);
+             ++i)
+          if (!particles.failed[i] && particles.damage[i] >= failure_damage)
+            failed_now.push_back(i);
 
+    break_up();
+    return newly_failed;
+  }
+
+
+  void
+  Fracture::break_up()
+  {
     // Cutting bonds can leave others with too few of them: those fail too.
     while (!failed_now.empty())
       {
@@ -103,40 +170,59 @@ namespace Morsel::SPH
         newly_failed.insert(newly_failed.end(), batch.begin(), batch.end());
         settle_touched();
       }
-    return newly_failed;
+    for (const unsigned int i : newly_failed)
+      {
+        const unsigned int g     = i / group_size;
+        const auto         first = particles.failed.begin() + g * group_size;
+        const auto         last =
+            first + std::min(group_size, particles.n_owned - g * group_size);
+        if (std::all_of(first, last, [](const char f) { return f != 0; }))
+          bonds.retire(g);
+      }
+  }
+
+
+  bool
+  Fracture::may_grow(const unsigned int g) const
+  {
+    if (particles.crushed[g])
+      return true;
+    // No average exceeds the largest driver among the averaged.
+    double bound = particles.strongest[g];
+    if (average_stress)
+      for (unsigned int k = groups_nearby.start[g];
+           k < groups_nearby.start[g + 1];
+           ++k)
+        bound = std::max(bound, particles.strongest[groups_nearby.index[k]]);
+    return bound > weakest_of_group[g];
   }
 
 
   void
-  Fracture::grow(const unsigned int begin,
-                 const unsigned int end,
-                 const double       time_step)
+  Fracture::grow(const BondedArrays &arrays,
+                 const unsigned int  g,
+                 const double        time_step)
   {
-    for (unsigned int i = begin; i < end; ++i)
+    double drivers[group_size];
+    if (average_stress)
+      average_driver(arrays, constants, g, drivers);
+    for (unsigned int l = 0; l < group_size; ++l)
       {
-        if (particles.failed[i])
+        const unsigned int i = g * group_size + l;
+        if (i >= particles.n_owned || particles.failed[i])
           continue;
         const double r = particles.threshold[i];
-        // The average cannot exceed the largest driver among the averaged.
-        double bound = particles.driver[i];
-        if (average_stress)
-          for (unsigned int k = bonds.list.start[i];
-               k < bonds.list.start[i + 1];
-               ++k)
-            bound = std::max(bound, particles.driver[bonds.list.index[k]]);
-        const double J =
-            (1. + particles.gradient[i].xx) * (1. + particles.gradient[i].yy) -
-            particles.gradient[i].xy * particles.gradient[i].yx;
+        const auto  &H = particles.gradient[i];
+        const double J = (1. + H.xx) * (1. + H.yy) - H.xy * H.yx;
+        const double s = average_stress
+                             ? drivers[l]
+                             : Materials::driver_value(law,
+                                                       material,
+                                                       particles.effective[i],
+                                                       !particles.near_face[i]);
         if (!linear_law && !(J > crushed_jacobian))
-          {
-            release_damage(i, 1.);
-            continue;
-          }
-        if (bound <= r)
-          continue;
-
-        const double s = averaged_driver(i);
-        if (law.growth == Materials::Growth::grady_kipp)
+          release_damage(i, 1.);
+        else if (law.growth == Materials::Growth::grady_kipp)
           release_damage(i,
                          Materials::grady_kipp_damage(
                              law, particles.damage[i], s, r, time_step));
@@ -145,36 +231,9 @@ namespace Morsel::SPH
                          std::max(particles.damage[i],
                                   Materials::linear_softening_damage(
                                       s, r, law.softening_range)));
+        if (particles.damage[i] >= failure_damage)
+          any_full[g] = 1;
       }
-  }
-
-
-  double
-  Fracture::averaged_driver(const unsigned int i) const
-  {
-    const bool cut_off = !particles.near_face[i];
-    if (!average_stress)
-      return Materials::driver_value(
-          law, material, particles.effective[i], cut_off);
-
-    // Shepard average (T3-35) of the undamaged stress over the particle and
-    // its live neighbours; volumes are equal.
-    double                       sum = kernel.value(0.);
-    Materials::PlaneStrainStress s   = particles.effective[i];
-    s = {sum * s.xx, sum * s.yy, sum * s.xy, sum * s.zz};
-    for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
-      if (bonds.weight[k] > 0.)
-        {
-          const double w = kernel.value(std::sqrt(bonds.length_square(k)));
-          const auto  &t = particles.effective[bonds.list.index[k]];
-          s.xx += w * t.xx;
-          s.yy += w * t.yy;
-          s.xy += w * t.xy;
-          s.zz += w * t.zz;
-          sum += w;
-        }
-    s = {s.xx / sum, s.yy / sum, s.xy / sum, s.zz / sum};
-    return Materials::driver_value(law, material, s, cut_off);
   }
 
 
@@ -280,8 +339,7 @@ namespace Morsel::SPH
     const unsigned int j = bonds.list.index[k];
     touch(i);
     touch(j);
-    bonds.weight[k]               = 0.;
-    bonds.weight[bonds.mirror[k]] = 0.;
+    bonds.cut(k);
     exposed[i] = exposed[j] = 1;
   }
 
@@ -306,6 +364,7 @@ namespace Morsel::SPH
         is_touched[i]        = 0;
         if (particles.failed[i])
           {
+            particles.driver[i] = 0.;
             // What pressure it carries goes on in the granular response.
             particles.pair_stress[i] = {0., 0., 0., 0.};
             particles.hourglass[i]   = 0.;

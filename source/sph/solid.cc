@@ -38,16 +38,9 @@ namespace Morsel::SPH
              body.shape.upper_corner,
              kernel.support(),
              body.spacing)
-      , constants{material,
-                  softening,
-                  body.solid.viscosity_alpha,
-                  body.solid.viscosity_beta,
-                  kernel.h}
-      , strain_loop(choose_strain_loop(linear_law, body.damage.enabled))
       , viscosity(body.solid.viscosity == "on" ||
                   (body.solid.viscosity == "auto" && body.damage.enabled))
   {
-    force_loop = choose_force_loop(viscosity);
     if (body.damage.enabled &&
         dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
       throw InputError("Body '" + body.name +
@@ -55,6 +48,7 @@ namespace Morsel::SPH
                        "rank only: start the program without mpirun, or with "
                        "'mpirun -np 1'.");
     fill(body);
+    choose_loops(body);
     if (body.damage.enabled)
       make_breakable(body, scene);
   }
@@ -102,6 +96,32 @@ namespace Morsel::SPH
 
 
   void
+  Solid::choose_loops(const Scene::ParticleBody &body)
+  {
+    constants         = {};
+    constants.mu      = material.mu;
+    constants.bulk    = material.bulk;
+    constants.density = material.density;
+    constants.mass    = particles.mass;
+    constants.uniform_hourglass =
+        body.solid.hourglass * material.youngs_modulus;
+    constants.viscosity_alpha_c =
+        body.solid.viscosity_alpha * material.wave_speed;
+    constants.viscosity_beta   = body.solid.viscosity_beta;
+    constants.smoothing_length = kernel.h;
+
+    // Nothing is decided inside the loops.
+    const PairKernels &kernels  = pair_kernels();
+    const unsigned int softened = !body.damage.enabled ? 0
+                                  : softening == Materials::Softening::deviator
+                                      ? 1
+                                      : 2;
+    strain_loop                 = kernels.strain[linear_law][softened];
+    force_loop                  = kernels.force[viscosity][body.damage.enabled];
+  }
+
+
+  void
   Solid::make_breakable(const Scene::ParticleBody &body,
                         const Scene::Scene        &scene)
   {
@@ -115,6 +135,7 @@ namespace Morsel::SPH
                                           material,
                                           linear_law,
                                           law,
+                                          constants,
                                           body.damage,
                                           scene.measures.friend_distance *
                                               particles.spacing,
@@ -151,8 +172,7 @@ namespace Morsel::SPH
             (kernel.h * kernel.h) +
         contact_stiffness / particles.mass;
     const double g =
-        viscosity ? 1.54 * constants.viscosity_alpha * c / particles.spacing
-                  : 0.;
+        viscosity ? 1.54 * constants.viscosity_alpha_c / particles.spacing : 0.;
     return cfl * (std::sqrt(0.25 * g * g + w2) - 0.5 * g) * 2. / w2;
   }
 
@@ -160,13 +180,21 @@ namespace Morsel::SPH
   void
   Solid::compute_accelerations(const double time_step)
   {
-    parallel_for(particles.n_owned, [&](unsigned int begin, unsigned int end) {
-      strain_loop(particles, bonds, constants, begin, end);
-    });
+    constexpr unsigned int grain  = 64;
+    const BondedArrays     arrays = bonded_arrays(particles, bonds);
+    parallel_for(
+        particles.n_groups(),
+        [&](unsigned int begin, unsigned int end) {
+          strain_loop(arrays, constants, begin, end);
+        },
+        grain);
     host.exchange(particles.pair_stress);
-    parallel_for(particles.n_owned, [&](unsigned int begin, unsigned int end) {
-      force_loop(particles, bonds, constants, time_step, begin, end);
-    });
+    parallel_for(
+        particles.n_groups(),
+        [&](unsigned int begin, unsigned int end) {
+          force_loop(arrays, constants, time_step, begin, end);
+        },
+        grain);
   }
 
 

@@ -9,11 +9,13 @@ namespace Morsel
   /// was given. Every element is worked on by one thread alone and must not
   /// touch another's results: the outcome does not depend on the number of
   /// threads.
+  /// @param grain elements that are worth a task of their own.
   template <typename Function>
   void
-  parallel_for(const unsigned int n, const Function &f)
+  parallel_for(const unsigned int n,
+               const Function    &f,
+               const unsigned int grain = 512)
   {
-    constexpr unsigned int grain = 512;
     dealii::parallel::apply_to_subranges(0u, n, f, grain);
   }
 } // namespace Morsel

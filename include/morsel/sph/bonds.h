@@ -5,10 +5,32 @@
 #include <morsel/sph/neighbours.h>
 #include <morsel/sph/particles.h>
 
+#include <deal.II/base/aligned_vector.h>
+
 #include <vector>
 
 namespace Morsel::SPH
 {
+  /// The bonds once more, in the order in which the kernels read them: slot s
+  /// of a group holds one pair of each of its particles, and what is stored
+  /// per pair stands at [s * group_size, (s + 1) * group_size). Rows that are
+  /// shorter than the group's longest end in pairs of weight zero of the
+  /// particle with itself.
+  struct PackedBonds
+  {
+    std::vector<unsigned int> slot_begin; ///< of each group
+    std::vector<unsigned int> slot_end;   ///< the same once all have failed
+
+    dealii::AlignedVector<double>       weight; ///< a_ij [1/m^2]
+    dealii::AlignedVector<double>       dx, dy; ///< X_j - X_i [m]
+    dealii::AlignedVector<unsigned int> index;
+
+    // Only where bonds can break.
+    dealii::AlignedVector<double> average; ///< W(|X_ij|) while uncut [1/m^2]
+    std::vector<unsigned int>     place;   ///< where each entry of Bonds went
+  };
+
+
   /// The reference pairs of a total Lagrangian solid. Entry k of row i
   /// carries weight a_ij = V_j |W'|/R (zero once cut), X_j - X_i and, where
   /// bonds can break, the place of the pair's other entry.
@@ -23,13 +45,25 @@ namespace Morsel::SPH
     std::vector<double>       weight; ///< a_ij [1/m^2]
     std::vector<double>       dx, dy; ///< X_j - X_i [m]
     std::vector<unsigned int> mirror; ///< entry (j, i) of entry (i, j)
+    PackedBonds               packed;
 
     void
     build(const Particles &particles, const Kernel &kernel);
 
-    /// Fills mirror; needed before the first cut.
+    /// Fills what cuts and averages need; to be called before the first.
     void
-    find_mirrors();
+    make_breakable(const Kernel &kernel);
+
+    /// Cuts the pair of entry @p k for good.
+    void
+    cut(unsigned int k);
+
+    /// Leaves group @p g out of the loops from now on: all of it has failed.
+    void
+    retire(const unsigned int g)
+    {
+      packed.slot_end[g] = packed.slot_begin[g];
+    }
 
     /// Entry of the pair (i, j), or -1 where it is not in the list.
     long
@@ -49,6 +83,10 @@ namespace Morsel::SPH
     /// outermost row.
     double
     surface_measure(unsigned int i) const;
+
+  private:
+    void
+    pack();
   };
 
 

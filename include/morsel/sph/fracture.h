@@ -29,6 +29,7 @@ namespace Morsel::SPH
              const Materials::Elasticity       &material,
              bool                               linear_law,
              const Materials::DamageLaw        &law,
+             const BondedConstants             &loop_constants,
              const Materials::DamageParameters &parameters,
              double                             friend_distance,
              unsigned int                       seed);
@@ -69,10 +70,16 @@ namespace Morsel::SPH
 
   private:
     void
-    grow(unsigned int begin, unsigned int end, double time_step);
+    find_groups_nearby();
 
-    double
-    averaged_driver(unsigned int i) const;
+    bool
+    may_grow(unsigned int group) const;
+
+    void
+    grow(const BondedArrays &arrays, unsigned int group, double time_step);
+
+    void
+    break_up();
 
     void
     release_damage(unsigned int i, double new_damage);
@@ -100,10 +107,12 @@ namespace Morsel::SPH
 
     Particles                  &particles;
     Bonds                      &bonds;
-    const Kernel                kernel;
     const Materials::Elasticity material;
     const bool                  linear_law;
     const Materials::DamageLaw  law;
+    const BondedConstants       constants;
+    const PairKernels::Strain   own_driver;
+    const PairKernels::Average  average_driver;
     const bool                  average_stress;
     const double                friend_distance_square;
     const double                hourglass_stiffness;
@@ -114,7 +123,11 @@ namespace Morsel::SPH
     std::vector<double>       contact_diameter;
     double                    heat_of_bonds = 0.;
     unsigned int              failed_count  = 0;
-    double                    weakest       = 0.;
+
+    // For each group of particles.
+    NeighbourList       groups_nearby;
+    std::vector<double> weakest_of_group;
+    std::vector<char>   any_full; ///< holds damage that means failure
   };
 } // namespace Morsel::SPH
 

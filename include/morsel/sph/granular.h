@@ -4,7 +4,10 @@
 #include <morsel/core/kernel.h>
 #include <morsel/materials/elasticity.h>
 #include <morsel/sph/bonds.h>
+#include <morsel/sph/pair_kernels.h>
 #include <morsel/sph/particles.h>
+
+#include <deal.II/base/aligned_vector.h>
 
 #include <vector>
 
@@ -87,14 +90,49 @@ namespace Morsel::SPH
     }
 
   private:
-    void
-    update_list();
+    /// Rows of the list that are worked on together.
+    static constexpr unsigned int block_size = 64;
+
+    /// Rows of the list of unbonded pairs, and the pairs of each; entries
+    /// count members.
+    struct Block
+    {
+      unsigned int              first, last; ///< members [first, last)
+      std::vector<unsigned int> grain_start, grain_pair;
+      std::vector<unsigned int> live_start, live_pair;
+    };
+
+    bool
+    moved_far() const;
 
     void
-    advance_range(unsigned int begin, unsigned int end, double time_step);
+    rebuild_list();
 
     void
-    force_range(unsigned int begin, unsigned int end, double time_step);
+    fill_block(Block &block) const;
+
+    /// Positions, velocities and stress of the members at the present time.
+    void
+    gather_state();
+
+    void
+    gather_rates(double time_step);
+
+    void
+    advance_grain(unsigned int              i,
+                  const Materials::Tensor2 &rate,
+                  double                    time_step);
+
+    void
+    push(const Block &block, double time_step);
+
+    /// Contact and friction of the surfaces of live material.
+    void
+    push_live(const Block &block,
+              unsigned int member,
+              double       time_step,
+              GrainForce  &sum,
+              double      &rubbed) const;
 
     double
     grain_energy(unsigned int i) const;
@@ -107,18 +145,32 @@ namespace Morsel::SPH
     const std::vector<char>    &exposed;
     const std::vector<double>  &contact_diameter;
 
+    const PairKernels           &kernels;
+    const GrainConstants         loop_constants;
+    const PairKernels::GrainPush force_loop;
+    const PairKernels::GrainRate rate_loop;
+
     std::vector<char>       on_surface; ///< of the intact body
     std::vector<double>     ratio;      ///< rho / rho_0 [1]
     std::vector<Symmetric2> deviator;   ///< in plane, of the grains [Pa]
+    std::vector<double>     energy;     ///< recoverable, of the grains [J]
     std::vector<double>     grain_heat, pair_friction_heat, pair_viscous_heat;
     std::vector<double>     penalty_energy;
 
     // Unbonded pairs near each other, rebuilt when anything has moved far.
-    std::vector<unsigned int>     members; ///< particles of the list's rows
-    NeighbourList                 list;
+    // Members stand cell by cell, followed by a far dummy.
+    std::vector<unsigned int>     members;
+    std::vector<char>             member_failed;
     std::vector<dealii::Point<2>> built_at;
+    std::vector<Block>            blocks;
+    CellGrid                      grid;
     bool                          any_failed = false;
     bool                          stale      = true;
+
+    // State of the members, gathered once per step for all of their pairs.
+    dealii::AlignedVector<GrainMotion> motion;
+    dealii::AlignedVector<GrainStress> member_stress;
+    dealii::AlignedVector<double>      area, diameter;
   };
 } // namespace Morsel::SPH
 

@@ -40,13 +40,28 @@ namespace Morsel::SPH
     void
     for_each_near(const dealii::Point<2> &x, const Function &f) const
     {
+      for_each_run(x, [&](const unsigned int begin, const unsigned int end) {
+        for (unsigned int k = begin; k < end; ++k)
+          f(order[k]);
+      });
+    }
+
+    /// The same as ranges [begin, end) of places in sorted().
+    template <typename Function>
+    void
+    for_each_run(const dealii::Point<2> &x, const Function &f) const
+    {
       const long cx = cell(x[0] - origin[0]), cy = cell(x[1] - origin[1]);
       for (long y = std::max(0L, cy - 1); y <= std::min(ny - 1, cy + 1); ++y)
-        for (long k = begin_of(std::max(0L, cx - 1), y),
-                  e = begin_of(std::min(nx - 1, cx + 1) + 1, y);
-             k < e;
-             ++k)
-          f(order[k]);
+        f(begin_of(std::max(0L, cx - 1), y),
+          begin_of(std::min(nx - 1, cx + 1) + 1, y));
+    }
+
+    /// The points cell by cell.
+    const std::vector<unsigned int> &
+    sorted() const
+    {
+      return order;
     }
 
   private:

@@ -7,41 +7,10 @@
 
 namespace Morsel::SPH
 {
-  /// Constants that the two hot loops need, gathered once per run.
-  struct LoopConstants
-  {
-    Materials::Elasticity material;
-    Materials::Softening  softening;
-    double                viscosity_alpha; ///< T3-44 [1]
-    double                viscosity_beta;  ///< T3-44 [1]
-    double                smoothing_length;
-  };
-
-
-  /// First loop, over the owned particles [begin, end): displacement
-  /// gradient H_i, stress, and the record that the second loop gathers.
-  using StrainLoop = void (*)(Particles           &particles,
-                              const Bonds         &bonds,
-                              const LoopConstants &constants,
-                              unsigned int         begin,
-                              unsigned int         end);
-
-  /// Second loop: acceleration of the owned particles [begin, end) by stress,
-  /// hourglass control and artificial viscosity. Overwrites acceleration;
-  /// adds the viscous heat of a step of length @p time_step.
-  using ForceLoop = void (*)(Particles           &particles,
-                             const Bonds         &bonds,
-                             const LoopConstants &constants,
-                             double               time_step,
-                             unsigned int         begin,
-                             unsigned int         end);
-
-  /// The instantiation for a solid; nothing is decided inside the loops.
-  StrainLoop
-  choose_strain_loop(bool linear_law, bool damage);
-
-  ForceLoop
-  choose_force_loop(bool viscosity);
+  /// What the kernels of pair_kernels.h work on; valid until a field of
+  /// @p particles or @p bonds is allocated anew.
+  BondedArrays
+  bonded_arrays(Particles &particles, const Bonds &bonds);
 
 
   /// H_i = (sum_j a_ij u_ij (x) X_ij) B_i [1].

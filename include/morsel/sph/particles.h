@@ -3,6 +3,7 @@
 
 #include <morsel/core/records.h>
 #include <morsel/materials/elasticity.h>
+#include <morsel/sph/pair_kernels.h>
 
 #include <deal.II/base/point.h>
 
@@ -10,13 +11,6 @@
 
 namespace Morsel::SPH
 {
-  /// What the second loop gathers: P B - k_hg H / 2 [Pa].
-  struct alignas(32) PairStress
-  {
-    double xx, xy, yx, yy;
-  };
-
-
   /// State of all particles of one body that this rank knows: first the
   /// owned ones, then the ghosts. Structure of arrays.
   struct Particles
@@ -53,6 +47,16 @@ namespace Morsel::SPH
     std::vector<double> driver;      ///< s of the particle's own stress [1]
     std::vector<char>   near_face;   ///< within reach of a loaded face
     std::vector<double> damage_heat; ///< energy released so far [J]
+
+    // The same, for each group of particles.
+    std::vector<char>   crushed;   ///< holds a particle pressed too far
+    std::vector<double> strongest; ///< largest driver [1]
+
+    unsigned int
+    n_groups() const
+    {
+      return (n_owned + group_size - 1) / group_size;
+    }
 
     dealii::Point<2>
     position(const unsigned int i) const

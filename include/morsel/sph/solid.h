@@ -149,6 +149,9 @@ namespace Morsel::SPH
     fill(const Scene::ParticleBody &body);
 
     void
+    choose_loops(const Scene::ParticleBody &body);
+
+    void
     make_breakable(const Scene::ParticleBody &body, const Scene::Scene &scene);
 
     const double                depth;
@@ -162,11 +165,12 @@ namespace Morsel::SPH
     ParticleHost<2> host;
     Particles       particles;
     Bonds           bonds;
-    LoopConstants   constants;
-    StrainLoop      strain_loop;
-    ForceLoop       force_loop;
     bool            viscosity;
     bool            started = false;
+
+    BondedConstants     constants;
+    PairKernels::Strain strain_loop;
+    PairKernels::Force  force_loop;
 
     std::unique_ptr<Fracture> fracture;
     std::unique_ptr<Granular> granular;

@@ -1,0 +1,153 @@
+#ifndef morsel_sph_pair_kernels_h
+#define morsel_sph_pair_kernels_h
+
+#include <morsel/core/records.h>
+#include <morsel/materials/elasticity.h>
+
+namespace Morsel::SPH
+{
+  /// What the second loop gathers: P B - k_hg H / 2 [Pa].
+  struct alignas(32) PairStress
+  {
+    double xx, xy, yx, yy;
+  };
+
+
+  /// Particles are worked on in groups of this many, whatever the width of
+  /// the machine's vectors.
+  constexpr unsigned int group_size = 8;
+
+
+  /// Plain addresses of what the kernels of bonded particles read and write;
+  /// see Particles and PackedBonds. No class with code of its own passes into
+  /// a kernel: an inline function compiled for one machine must not be the
+  /// one that the linker keeps for all.
+  struct BondedArrays
+  {
+    const unsigned int *slot_begin, *slot_end; ///< of each group
+    const double       *weight, *dx, *dy, *average;
+    const unsigned int *index;
+
+    unsigned int                  n_owned;
+    const Motion                 *motion;
+    const Symmetric2             *shape;
+    const double                 *hourglass, *damage;
+    const char                   *near_face;
+    Materials::Tensor2           *gradient;
+    PairStress                   *pair_stress;
+    Materials::PlaneStrainStress *effective;
+    Vector2                      *acceleration;
+    double                       *viscous_heat, *driver;
+    char                         *crushed;
+    double                       *strongest; ///< of each group
+  };
+
+
+  /// Constants of the kernels of bonded particles.
+  struct BondedConstants
+  {
+    double mu, bulk; ///< [Pa]
+    double density, mass;
+    double uniform_hourglass; ///< where no particle can soften [Pa]
+    double viscosity_alpha_c; ///< alpha times the wave speed [m/s]
+    double viscosity_beta, smoothing_length;
+    double crushed_jacobian;
+
+    // Drivers of damage, see Materials::driver_value().
+    double von_mises_d, von_mises_P, tensile_strength;
+    double poissons_ratio, youngs_modulus, extension_scale;
+    double average_self; ///< weight of the particle itself [1/m^2]
+  };
+
+
+  /// A particle of the list of unbonded pairs at one time.
+  struct alignas(32) GrainMotion
+  {
+    double x, y, v_x, v_y;
+  };
+
+
+  /// Cauchy stress in the plane and current area, negative for a particle
+  /// that is not a grain (whose stress is zero here).
+  struct alignas(32) GrainStress
+  {
+    double xx, yy, xy, signed_area;
+  };
+
+
+  /// Sums over one row of the list of unbonded pairs.
+  struct GrainForce
+  {
+    double x, y, damped, pressed;
+  };
+
+
+  /// The pairs with a grain of a few rows; rows are padded to whole groups by
+  /// a far dummy.
+  struct GrainArrays
+  {
+    const unsigned int *start; ///< n_rows + 1
+    const unsigned int *index;
+    const char         *is_grain; ///< of every member
+    unsigned int        n_rows, first_row;
+    const GrainMotion  *motion;
+    const GrainStress  *stress;   ///< forces alone
+    const double       *diameter; ///< forces alone [m]
+    const double       *area;     ///< rates alone [m^2]
+  };
+
+
+  struct GrainConstants
+  {
+    double h, normalisation, support_square;
+    double mass, thickness; ///< of one particle [kg], of the plane [m]
+    double particle_area;   ///< in the reference lattice [m^2]
+    double viscosity_alpha_c, viscosity_beta, contact_stiffness;
+  };
+
+
+  /// The kernels of one instruction set. Ranges count groups.
+  struct PairKernels
+  {
+    using Strain    = void (*)(const BondedArrays    &arrays,
+                            const BondedConstants &constants,
+                            unsigned int           begin,
+                            unsigned int           end);
+    using Force     = void (*)(const BondedArrays    &arrays,
+                           const BondedConstants &constants,
+                           double                 time_step,
+                           unsigned int           begin,
+                           unsigned int           end);
+    using Average   = void (*)(const BondedArrays    &arrays,
+                             const BondedConstants &constants,
+                             unsigned int           group,
+                             double                *drivers);
+    using GrainPush = void (*)(const GrainArrays    &arrays,
+                               const GrainConstants &constants,
+                               GrainForce           *sums);
+    using GrainRate = void (*)(const GrainArrays    &arrays,
+                               const GrainConstants &constants,
+                               Materials::Tensor2   *sums);
+
+    const char  *name;
+    unsigned int lanes;
+    /// [linear law][no damage, softened deviator, softened principal].
+    Strain strain[2][3];
+    /// [viscosity][hourglass stiffness that varies].
+    Force force[2][2];
+    /// [driver]: of each particle's own stress with the tensile cut-off.
+    Strain own_driver[3];
+    /// [driver]: of the average over the neighbours, for one group.
+    Average average_driver[3];
+    /// [Wendland C2].
+    GrainPush grain_force[2];
+    GrainRate grain_rate[2];
+  };
+
+
+  /// The kernels for the widest vectors that this machine has.
+  const PairKernels &
+  pair_kernels();
+} // namespace Morsel::SPH
+
+#endif

@@ -1,0 +1,41 @@
+#ifndef morsel_sph_pair_kernels_table_h
+#define morsel_sph_pair_kernels_table_h
+
+// The table of one instruction set.
+
+#include <morsel/sph/bonded_kernels.h>
+#include <morsel/sph/driver_kernels.h>
+#include <morsel/sph/grain_kernels.h>
+
+#define MORSEL_TEXT_OF(name) #name
+#define MORSEL_TEXT(name) MORSEL_TEXT_OF(name)
+
+namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
+{
+  const PairKernels &
+  kernels()
+  {
+    static constexpr PairKernels table = {
+        MORSEL_TEXT(MORSEL_INSTRUCTION_SET),
+        lanes,
+        {{strain_loop<false, intact>,
+          strain_loop<false, softened_deviator>,
+          strain_loop<false, softened_principal>},
+         {strain_loop<true, intact>,
+          strain_loop<true, softened_deviator>,
+          strain_loop<true, softened_principal>}},
+        {{force_loop<false, false>, force_loop<false, true>},
+         {force_loop<true, false>, force_loop<true, true>}},
+        {own_driver<tensile_stress>,
+         own_driver<extension_strain>,
+         own_driver<modified_von_mises>},
+        {average_driver<tensile_stress>,
+         average_driver<extension_strain>,
+         average_driver<modified_von_mises>},
+        {grain_force<false>, grain_force<true>},
+        {grain_rate<false>, grain_rate<true>}};
+    return table;
+  }
+} // namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
+
+#endif

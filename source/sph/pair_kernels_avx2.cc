@@ -1,0 +1,3 @@
+#define MORSEL_INSTRUCTION_SET avx2
+#define MORSEL_LANES 4
+#include <morsel/sph/pair_kernels_table.h>
