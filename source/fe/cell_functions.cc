@@ -1,0 +1,234 @@
+#include <morsel/fe/cell_functions.h>
+#include <morsel/fracture/tip_fields.h>
+
+#include <cmath>
+
+namespace Morsel::FE
+{
+  using namespace dealii;
+
+  void
+  CellFunctions::evaluate(const Cell                  &cell,
+                          const QuadMap               &map,
+                          const std::vector<Point<2>> &points,
+                          const std::vector<Point<2>> &reference)
+  {
+    const CellEnrichment &e = space.get_enrichment(cell->active_cell_index());
+    const LocalNumbering &n = space.get_numbering(cell->active_fe_index());
+    value.resize(points.size(), n.n_scalar);
+    dx.resize(points.size(), n.n_scalar);
+    dy.resize(points.size(), n.n_scalar);
+
+    space.get_basis(n.degree).evaluate(reference, table, d_xi, d_eta);
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        const Tensor<2, 2> inverse  = invert(map.jacobian(reference[q]));
+        value.row(q).head(n.n_base) = table.row(q);
+        dx.row(q).head(n.n_base) =
+            inverse[0][0] * d_xi.row(q) + inverse[1][0] * d_eta.row(q);
+        dy.row(q).head(n.n_base) =
+            inverse[0][1] * d_xi.row(q) + inverse[1][1] * d_eta.row(q);
+      }
+
+    unsigned int first = n.n_base;
+    for (unsigned int s = 0; s < CellEnrichment::max_slots; ++s)
+      if (e.jump_crack[s] != CellEnrichment::none)
+        {
+          add_jump(first,
+                   e.side[s],
+                   e.cut ? &space.get_cracks()[e.jump_crack[s]] : nullptr,
+                   points);
+          first += n.n_base;
+        }
+    for (unsigned int s = 0; s < CellEnrichment::max_slots; ++s)
+      if (e.tip[s] != CellEnrichment::none)
+        {
+          add_tip(first, e.tip[s], e.ramp[s], map, points, reference);
+          first += 4 * n.n_tip;
+        }
+  }
+
+
+  void
+  CellFunctions::add_jump(const unsigned int           first,
+                          const double                 side,
+                          const Fracture::Crack       *crack,
+                          const std::vector<Point<2>> &points)
+  {
+    const unsigned int n = table.cols();
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        const double H                 = crack == nullptr ? side
+                                         : crack->signed_distance(points[q]) < 0. ? -1.
+                                                                                  : 1.;
+        value.row(q).segment(first, n) = H * value.row(q).head(n);
+        dx.row(q).segment(first, n)    = H * dx.row(q).head(n);
+        dy.row(q).segment(first, n)    = H * dy.row(q).head(n);
+      }
+  }
+
+
+  void
+  CellFunctions::add_tip(const unsigned int           first,
+                         const unsigned int           tip,
+                         const std::array<double, 4> &ramp,
+                         const QuadMap               &map,
+                         const std::vector<Point<2>> &points,
+                         const std::vector<Point<2>> &reference)
+  {
+    const EnrichmentParameters &parameters = space.get_tip_parameters(tip);
+    Eigen::MatrixXd             tip_table, tip_xi, tip_eta;
+    space.get_basis(parameters.tip_degree)
+        .evaluate(reference, tip_table, tip_xi, tip_eta);
+    const unsigned int n = tip_table.cols();
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        const Tensor<2, 2> inverse = invert(map.jacobian(reference[q]));
+        // The ramp is bilinear on the cell.
+        double       R = 1.;
+        Tensor<1, 2> dR;
+        if (parameters.ramp)
+          {
+            const double x = reference[q][0], y = reference[q][1];
+            R = (1. - y) * ((1. - x) * ramp[0] + x * ramp[1]) +
+                y * ((1. - x) * ramp[2] + x * ramp[3]);
+            const Tensor<1, 2> d(
+                {(1. - y) * (ramp[1] - ramp[0]) + y * (ramp[3] - ramp[2]),
+                 (1. - x) * (ramp[2] - ramp[0]) + x * (ramp[3] - ramp[1])});
+            dR = transpose(inverse) * d;
+          }
+        const auto F =
+            Fracture::tip_functions(space.get_tips()[tip], points[q]);
+        for (unsigned int k = 0; k < 4; ++k)
+          {
+            const double       RF  = R * F[k].value;
+            const Tensor<1, 2> dRF = R * F[k].gradient + F[k].value * dR;
+            const unsigned int c   = first + k * n;
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                const double Nx = inverse[0][0] * tip_xi(q, i) +
+                                  inverse[1][0] * tip_eta(q, i);
+                const double Ny = inverse[0][1] * tip_xi(q, i) +
+                                  inverse[1][1] * tip_eta(q, i);
+                value(q, c + i) = RF * tip_table(q, i);
+                dx(q, c + i)    = RF * Nx + dRF[0] * tip_table(q, i);
+                dy(q, c + i)    = RF * Ny + dRF[1] * tip_table(q, i);
+              }
+          }
+      }
+  }
+
+
+  Eigen::MatrixX2d
+  CellFunctions::coefficients(const Cell                &cell,
+                              const std::vector<double> &local) const
+  {
+    const LocalNumbering &n = space.get_numbering(cell->active_fe_index());
+    Eigen::MatrixX2d      c(n.n_scalar, 2);
+    for (unsigned int i = 0; i < local.size(); ++i)
+      c(n.function[i], n.component[i]) = local[i];
+    return c;
+  }
+
+
+  Tensor<2, 2>
+  CellFunctions::gradient(const Eigen::MatrixX2d &c, const unsigned int q) const
+  {
+    Tensor<2, 2> H;
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        H[i][0] = dx.row(q).dot(c.col(i));
+        H[i][1] = dy.row(q).dot(c.col(i));
+      }
+    return H;
+  }
+
+
+  Tensor<1, 2>
+  CellFunctions::displacement(const Eigen::MatrixX2d &c,
+                              const unsigned int      q) const
+  {
+    return Tensor<1, 2>(
+        {value.row(q).dot(c.col(0)), value.row(q).dot(c.col(1))});
+  }
+
+
+  CellQuadrature
+  CellFunctions::quadrature(const Cell        &cell,
+                            const QuadMap     &map,
+                            const unsigned int extra) const
+  {
+    const CellEnrichment &e = space.get_enrichment(cell->active_cell_index());
+    const LocalNumbering &n = space.get_numbering(cell->active_fe_index());
+    std::vector<Point<2>> near_tips;
+    const Point<2>        center  = map.to_physical(Point<2>(0.5, 0.5));
+    bool                  has_tip = false;
+    for (const int t : e.tip)
+      if (t != CellEnrichment::none)
+        {
+          has_tip            = true;
+          const Point<2> tip = space.get_tips()[t].position;
+          if (tip.distance(center) < 2. * map.diameter())
+            near_tips.push_back(tip);
+        }
+    const unsigned int points =
+        has_tip ? std::max(n.degree, space.get_tip_parameters(0).tip_degree) + 4
+                : n.degree + 1;
+    if (!e.cut && near_tips.empty())
+      return gauss_quadrature(map, points + extra);
+    std::vector<Fracture::Crack> near_cracks;
+    if (e.cut)
+      near_cracks = space.get_cracks();
+    return cut_quadrature(map,
+                          cut_into_pieces(map.polygon(), near_cracks),
+                          near_tips,
+                          points + extra);
+  }
+
+
+  Eigen::MatrixXd
+  element_stiffness(const CellFunctions          &functions,
+                    const LocalNumbering         &numbering,
+                    const std::vector<double>    &weights,
+                    const Fracture::ElasticPlane &material,
+                    const double                  regularisation)
+  {
+    const Eigen::MatrixXd &dx = functions.d_x(), &dy = functions.d_y();
+    const Eigen::Map<const Eigen::VectorXd> w(weights.data(), weights.size());
+    const Eigen::MatrixXd                   wx  = w.asDiagonal() * dx;
+    const Eigen::MatrixXd                   wy  = w.asDiagonal() * dy;
+    const Eigen::MatrixXd                   xx  = dx.transpose() * wx;
+    const Eigen::MatrixXd                   yy  = dy.transpose() * wy;
+    const Eigen::MatrixXd                   xy  = dx.transpose() * wy;
+    const double                            mu  = material.mu;
+    const double                            lam = material.lambda;
+
+    const unsigned int n = numbering.function.size();
+    Eigen::MatrixXd    K(n, n);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        const unsigned int fj = numbering.function[j];
+        const unsigned int cj = numbering.component[j];
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const unsigned int fi = numbering.function[i];
+            const unsigned int ci = numbering.component[i];
+            if (ci == cj)
+              K(i, j) = ci == 0
+                            ? (lam + 2. * mu) * xx(fi, fj) + mu * yy(fi, fj)
+                            : (lam + 2. * mu) * yy(fi, fj) + mu * xx(fi, fj);
+            else
+              K(i, j) = ci == 0 ? lam * xy(fi, fj) + mu * xy(fj, fi)
+                                : lam * xy(fj, fi) + mu * xy(fi, fj);
+          }
+      }
+    // A jump function has the stiffness of a base function of the order of
+    // lambda + 2 mu; where a crack leaves a sliver, far less of it counts.
+    for (unsigned int i = 0; i < n; ++i)
+      if (numbering.kind[i] > CellEnrichment::max_slots)
+        K(i, i) *= 1. + regularisation;
+      else if (numbering.kind[i] != 0)
+        K(i, i) += regularisation * (lam + 2. * mu);
+    return K;
+  }
+} // namespace Morsel::FE
