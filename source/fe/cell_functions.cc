@@ -84,38 +84,52 @@ namespace Morsel::FE
     for (unsigned int q = 0; q < points.size(); ++q)
       {
         const Tensor<2, 2> inverse = invert(map.jacobian(reference[q]));
-        // The ramp is bilinear on the cell.
-        double       R = 1.;
-        Tensor<1, 2> dR;
-        if (parameters.ramp)
-          {
-            const double x = reference[q][0], y = reference[q][1];
-            R = (1. - y) * ((1. - x) * ramp[0] + x * ramp[1]) +
-                y * ((1. - x) * ramp[2] + x * ramp[3]);
-            const Tensor<1, 2> d(
-                {(1. - y) * (ramp[1] - ramp[0]) + y * (ramp[3] - ramp[2]),
-                 (1. - x) * (ramp[2] - ramp[0]) + x * (ramp[3] - ramp[1])});
-            dR = transpose(inverse) * d;
-          }
-        const auto F =
-            Fracture::tip_functions(space.get_tips()[tip], points[q]);
+        const auto         RF =
+            blended_tip_functions(tip, ramp, inverse, points[q], reference[q]);
         for (unsigned int k = 0; k < 4; ++k)
           {
-            const double       RF  = R * F[k].value;
-            const Tensor<1, 2> dRF = R * F[k].gradient + F[k].value * dR;
-            const unsigned int c   = first + k * n;
+            const unsigned int c = first + k * n;
             for (unsigned int i = 0; i < n; ++i)
               {
                 const double Nx = inverse[0][0] * tip_xi(q, i) +
                                   inverse[1][0] * tip_eta(q, i);
                 const double Ny = inverse[0][1] * tip_xi(q, i) +
                                   inverse[1][1] * tip_eta(q, i);
-                value(q, c + i) = RF * tip_table(q, i);
-                dx(q, c + i)    = RF * Nx + dRF[0] * tip_table(q, i);
-                dy(q, c + i)    = RF * Ny + dRF[1] * tip_table(q, i);
+                value(q, c + i) = RF[k].value * tip_table(q, i);
+                dx(q, c + i) =
+                    RF[k].value * Nx + RF[k].gradient[0] * tip_table(q, i);
+                dy(q, c + i) =
+                    RF[k].value * Ny + RF[k].gradient[1] * tip_table(q, i);
               }
           }
       }
+  }
+
+
+  std::array<Fracture::ValueAndGradient, 4>
+  CellFunctions::blended_tip_functions(const unsigned int           tip,
+                                       const std::array<double, 4> &ramp,
+                                       const Tensor<2, 2>          &inverse,
+                                       const Point<2>              &point,
+                                       const Point<2> &reference) const
+  {
+    auto F = Fracture::tip_functions(space.get_tips()[tip], point);
+    if (!space.get_tip_parameters(tip).ramp)
+      return F;
+    // The ramp is bilinear on the cell.
+    const double x = reference[0], y = reference[1];
+    const double R = (1. - y) * ((1. - x) * ramp[0] + x * ramp[1]) +
+                     y * ((1. - x) * ramp[2] + x * ramp[3]);
+    const Tensor<1, 2> d(
+        {(1. - y) * (ramp[1] - ramp[0]) + y * (ramp[3] - ramp[2]),
+         (1. - x) * (ramp[2] - ramp[0]) + x * (ramp[3] - ramp[1])});
+    const Tensor<1, 2> dR = transpose(inverse) * d;
+    for (Fracture::ValueAndGradient &f : F)
+      {
+        f.gradient = R * f.gradient + f.value * dR;
+        f.value *= R;
+      }
+    return F;
   }
 
 
@@ -131,25 +145,73 @@ namespace Morsel::FE
   }
 
 
-  Tensor<2, 2>
-  CellFunctions::gradient(const Eigen::MatrixX2d &c, const unsigned int q) const
+  std::vector<Fracture::DisplacementSample>
+  CellFunctions::sample(const Cell                  &cell,
+                        const QuadMap               &map,
+                        const Eigen::MatrixX2d      &coefficients,
+                        const std::vector<Point<2>> &points,
+                        const std::vector<Point<2>> &reference)
   {
-    Tensor<2, 2> H;
-    for (unsigned int i = 0; i < 2; ++i)
-      {
-        H[i][0] = dx.row(q).dot(c.col(i));
-        H[i][1] = dy.row(q).dot(c.col(i));
-      }
-    return H;
-  }
+    const CellEnrichment &e = space.get_enrichment(cell->active_cell_index());
+    const LocalNumbering &n = space.get_numbering(cell->active_fe_index());
+    std::vector<Fracture::DisplacementSample> samples(points.size());
+    std::vector<Tensor<2, 2>>                 inverse(points.size());
+    for (unsigned int q = 0; q < points.size(); ++q)
+      inverse[q] = invert(map.jacobian(reference[q]));
 
+    // Adds factor(q) times the product of a multiplier's values, tabulated in
+    // table, d_xi, d_eta, with its coefficients.
+    unsigned int first     = 0;
+    const auto   add_block = [&](const unsigned int size, const auto &factor) {
+      const auto            c = coefficients.middleRows(first, size);
+      const Eigen::MatrixXd v = table * c, vx = d_xi * c, vy = d_eta * c;
+      for (unsigned int q = 0; q < points.size(); ++q)
+        {
+          const Fracture::ValueAndGradient f = factor(q);
+          for (unsigned int i = 0; i < 2; ++i)
+            {
+              samples[q].value[i] += f.value * v(q, i);
+              for (unsigned int j = 0; j < 2; ++j)
+                samples[q].gradient[i][j] +=
+                    f.gradient[j] * v(q, i) +
+                    f.value * (inverse[q][0][j] * vx(q, i) +
+                               inverse[q][1][j] * vy(q, i));
+            }
+        }
+      first += size;
+    };
+    const auto constant = [](const double value) {
+      Fracture::ValueAndGradient f;
+      f.value = value;
+      return f;
+    };
 
-  Tensor<1, 2>
-  CellFunctions::displacement(const Eigen::MatrixX2d &c,
-                              const unsigned int      q) const
-  {
-    return Tensor<1, 2>(
-        {value.row(q).dot(c.col(0)), value.row(q).dot(c.col(1))});
+    space.get_basis(n.degree).evaluate(reference, table, d_xi, d_eta);
+    add_block(n.n_base, [&](const unsigned int) { return constant(1.); });
+    for (unsigned int s = 0; s < CellEnrichment::max_slots; ++s)
+      if (e.jump_crack[s] != CellEnrichment::none)
+        {
+          const Fracture::Crack &crack = space.get_cracks()[e.jump_crack[s]];
+          add_block(n.n_base, [&](const unsigned int q) {
+            return constant(!e.cut                                  ? e.side[s]
+                            : crack.signed_distance(points[q]) < 0. ? -1.
+                                                                    : 1.);
+          });
+        }
+    for (unsigned int s = 0; s < CellEnrichment::max_slots; ++s)
+      if (e.tip[s] != CellEnrichment::none)
+        {
+          space.get_basis(space.get_tip_parameters(e.tip[s]).tip_degree)
+              .evaluate(reference, table, d_xi, d_eta);
+          std::vector<std::array<Fracture::ValueAndGradient, 4>> products;
+          for (unsigned int q = 0; q < points.size(); ++q)
+            products.push_back(blended_tip_functions(
+                e.tip[s], e.ramp[s], inverse[q], points[q], reference[q]));
+          for (unsigned int k = 0; k < 4; ++k)
+            add_block(n.n_tip,
+                      [&](const unsigned int q) { return products[q][k]; });
+        }
+    return samples;
   }
 
 
@@ -172,7 +234,7 @@ namespace Morsel::FE
             near_tips.push_back(tip);
         }
     const unsigned int points =
-        has_tip ? std::max(n.degree, space.get_tip_parameters(0).tip_degree) + 4
+        has_tip ? std::max(n.degree, space.get_tip_parameters(0).tip_degree) + 3
                 : n.degree + 1;
     if (!e.cut && near_tips.empty())
       return gauss_quadrature(map, points + extra);

@@ -100,9 +100,9 @@ namespace Morsel::FE
           limits.push_back(l);
       limits.push_back(1.);
 
-      const GaussRule &radial  = gauss_rule(2 * n);
-      const GaussRule &plain   = gauss_rule(n + 2);
-      const GaussRule &angular = gauss_rule(n + 2);
+      const GaussRule &radial  = gauss_rule(2 * n - 2);
+      const GaussRule &plain   = gauss_rule(n + 1);
+      const GaussRule &angular = gauss_rule(n + 1);
       for (unsigned int k = 0; k + 1 < limits.size(); ++k)
         {
           const bool       singular = limits.size() == 2 && relative <= 1e-12;
@@ -376,7 +376,9 @@ namespace Morsel::FE
                 apex     = c;
               }
           }
-        if (distance < size)
+        // Beyond that a Gauss rule of this order converges fast enough: by
+        // (z + sqrt(z^2 - 1))^(-2n) with z = 1 + 2 distance/width.
+        if (distance < 0.2 * size)
           for (unsigned int i = 0; i < piece.size(); ++i)
             add_fan(apex,
                     piece[i],

@@ -3,12 +3,66 @@
 #include <morsel/fe/stress_intensity.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
 namespace Morsel::FE
 {
   using namespace dealii;
+
+  namespace
+  {
+    /// Quadrature over the part of a cell that the rings reach. The weight of
+    /// a ring varies over its width: larger cells are divided.
+    CellQuadrature
+    ring_quadrature(const XFEMSpace                    &space,
+                    const DoFHandler<2>::cell_iterator &cell,
+                    const QuadMap                      &map,
+                    const Fracture::CrackTip           &tip,
+                    const double                        inside,
+                    const double                        reach,
+                    const double                        resolution)
+    {
+      const CellEnrichment &e = space.get_enrichment(cell->active_cell_index());
+      const unsigned int    n =
+          space.get_numbering(cell->active_fe_index()).degree + 4;
+      const unsigned int k =
+          std::ceil(map.diameter() / std::sqrt(2.) / resolution);
+      CellQuadrature all;
+      for (unsigned int j = 0; j < k; ++j)
+        for (unsigned int i = 0; i < k; ++i)
+          {
+            std::array<Point<2>, 4> corners;
+            double                  nearest = 1e300, farthest = 0.;
+            for (unsigned int v = 0; v < 4; ++v)
+              {
+                corners[v] = map.to_physical(
+                    Point<2>((i + v % 2) / double(k), (j + v / 2) / double(k)));
+                farthest =
+                    std::max(farthest, corners[v].distance(tip.position));
+              }
+            const QuadMap part(corners);
+            nearest = distance_to_polygon(tip.position, part.polygon());
+            if (nearest >= reach || farthest <= inside)
+              continue;
+            const auto pieces =
+                e.cut ? cut_into_pieces(part.polygon(), space.get_cracks())
+                      : std::vector<Polygon>(1, part.polygon());
+            const CellQuadrature q = pieces.size() == 1
+                                         ? gauss_quadrature(part, n)
+                                         : cut_quadrature(part, pieces, {}, n);
+            all.points.insert(
+                all.points.end(), q.points.begin(), q.points.end());
+            all.weights.insert(
+                all.weights.end(), q.weights.begin(), q.weights.end());
+          }
+      for (const Point<2> &p : all.points)
+        all.reference.push_back(map.to_reference(p));
+      return all;
+    }
+  } // namespace
+
 
   double
   distance_to_boundary(const Triangulation<2> &triangulation, const Point<2> &p)
@@ -84,12 +138,14 @@ namespace Morsel::FE
     const XFEMSpace          &space = problem.get_space();
     const Fracture::CrackTip &tip   = space.get_tips()[result.tip];
     std::vector<Fracture::InteractionIntegral> integrals;
-    double                                     reach = 0., inside = 1e300;
+    double reach = 0., inside = 1e300, resolution = 1e300;
     for (const Fracture::Ring &ring : result.rings)
       {
         integrals.emplace_back(tip, problem.get_material(), ring);
         reach  = std::max(reach, ring.outer_radius);
         inside = std::min(inside, ring.inner_radius);
+        resolution =
+            std::min(resolution, 0.6 * (ring.outer_radius - ring.inner_radius));
       }
 
     CellFunctions                        functions(space);
@@ -103,22 +159,29 @@ namespace Morsel::FE
         const double d = 0.5 * cell->diameter();
         if (r - d > reach || r + d < inside)
           continue;
-        const QuadMap map = make_map(cell);
-        // The ring's weight varies within cells: a few more points.
-        const CellQuadrature q = functions.quadrature(cell, map, 4);
-        functions.evaluate(cell, map, q.points, q.reference);
+        const QuadMap        map = make_map(cell);
+        const CellQuadrature q =
+            ring_quadrature(space, cell, map, tip, inside, reach, resolution);
+        if (q.points.empty())
+          continue;
         dofs.resize(cell->get_fe().n_dofs_per_cell());
         local.resize(dofs.size());
         cell->get_dof_indices(dofs);
         for (unsigned int i = 0; i < dofs.size(); ++i)
           local[i] = solution(dofs[i]);
-        const Eigen::MatrixX2d c = functions.coefficients(cell, local);
+        const auto samples =
+            functions.sample(cell,
+                             map,
+                             functions.coefficients(cell, local),
+                             q.points,
+                             q.reference);
         for (unsigned int p = 0; p < q.points.size(); ++p)
           {
-            const Tensor<2, 2> H     = functions.gradient(c, p);
-            const auto         sigma = problem.get_material().stress(H);
+            const auto sigma =
+                problem.get_material().stress(samples[p].gradient);
             for (auto &integral : integrals)
-              integral.add(q.points[p], H, sigma, q.weights[p]);
+              integral.add(
+                  q.points[p], samples[p].gradient, sigma, q.weights[p]);
           }
       }
 

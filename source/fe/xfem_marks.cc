@@ -70,6 +70,16 @@ namespace Morsel::FE
   } // namespace
 
 
+  bool
+  XFEMSpace::holds_tip_of(const unsigned int crack, const QuadMap &map) const
+  {
+    return std::any_of(
+        tips.begin(), tips.end(), [&](const Fracture::CrackTip &tip) {
+          return tip.crack == crack && touches(tip, map);
+        });
+  }
+
+
   XFEMSpace::VertexField
   XFEMSpace::make_vertex_field() const
   {
@@ -133,7 +143,7 @@ namespace Morsel::FE
           const QuadMap map = make_map(cell);
           cell->get_dof_indices(dofs);
           for (unsigned int c = 0; c < cracks.size(); ++c)
-            if (touches(cracks[c], map))
+            if (touches(cracks[c], map) && !holds_tip_of(c, map))
               for (const types::global_dof_index dof : dofs)
                 jump_marks[c](dof) += 1.;
           for (unsigned int t = 0; t < tips.size(); ++t)
@@ -188,11 +198,7 @@ namespace Morsel::FE
                 std::any_of(dofs.begin(), dofs.end(), [&](auto d) {
                   return jump_marks[c](d) > 0.;
                 });
-            const bool holds_tip =
-                std::any_of(tips.begin(), tips.end(), [&](const auto &tip) {
-                  return tip.crack == c && touches(tip, map);
-                });
-            if (marked && !holds_tip)
+            if (marked && !holds_tip_of(c, map))
               jumps[index].push_back(c);
           }
         for (unsigned int t = 0; t < tips.size(); ++t)
@@ -256,6 +262,7 @@ namespace Morsel::FE
         for (const int c : jumps[index])
           {
             e.jump_crack[jump_slot[c]] = c;
+            e.touched[jump_slot[c]]    = touches(cracks[c], map);
             e.side[jump_slot[c]] =
                 cracks[c].signed_distance(Point<2>(center)) < 0. ? -1. : 1.;
           }

@@ -196,13 +196,13 @@ namespace Morsel::FE
   }
 
 
-  void
-  XFEMSpace::gather_support(const AffineConstraints<double> &hanging,
-                            VertexField                     &left,
-                            VertexField                     &right,
-                            VertexField                     &outside_core,
-                            VertexField                     &forbidden) const
+  XFEMSpace::SupportFields
+  XFEMSpace::gather_support(const AffineConstraints<double> &hanging) const
   {
+    const VertexField zero(dof_handler.locally_owned_dofs(),
+                           relevant_dofs,
+                           triangulation->get_communicator());
+    SupportFields     fields{zero, zero, zero, zero, zero};
     // What a slave gathers belongs to the support of its masters.
     const auto add = [&](VertexField                  &field,
                          const types::global_dof_index dof,
@@ -234,10 +234,12 @@ namespace Morsel::FE
             for (unsigned int i = 0; i < dofs.size(); ++i)
               if (n.kind[i] == s + 1)
                 {
-                  add(left, dofs[i], area_left);
-                  add(right, dofs[i], area_right);
+                  add(fields.left, dofs[i], area_left);
+                  add(fields.right, dofs[i], area_right);
+                  if (e.touched[s])
+                    add(fields.touched, dofs[i], 1.);
                   if (outside)
-                    add(outside_core, dofs[i], 1.);
+                    add(fields.outside_core, dofs[i], 1.);
                 }
           }
 
@@ -253,14 +255,19 @@ namespace Morsel::FE
               if (is_outer_face(cell, f, k, member))
                 for (unsigned int i = 0; i < dofs.size(); ++i)
                   if (n.kind[i] == k && fe.has_support_on_face(i, f))
-                    add(forbidden, dofs[i], 1.);
+                    add(fields.forbidden, dofs[i], 1.);
           }
       }
-    for (VertexField *field : {&left, &right, &outside_core, &forbidden})
+    for (VertexField *field : {&fields.left,
+                               &fields.right,
+                               &fields.touched,
+                               &fields.outside_core,
+                               &fields.forbidden})
       {
         field->compress(VectorOperation::add);
         field->update_ghost_values();
       }
+    return fields;
   }
 
 
@@ -331,11 +338,7 @@ namespace Morsel::FE
     AffineConstraints<double> hanging(relevant_dofs);
     hanging.merge(constraints);
     hanging.close();
-    const VertexField zero(dof_handler.locally_owned_dofs(),
-                           relevant_dofs,
-                           triangulation->get_communicator());
-    VertexField       left(zero), right(zero), outside(zero), forbidden(zero);
-    gather_support(hanging, left, right, outside, forbidden);
+    const SupportFields fields = gather_support(hanging);
 
     const double tolerance =
         tip_parameters.empty() ? 1e-4 : tip_parameters[0].area_tolerance;
@@ -353,11 +356,12 @@ namespace Morsel::FE
             const types::global_dof_index d = dofs[i];
             if (n.kind[i] == 0 || constraints.is_constrained(d))
               continue;
-            const bool jump = n.kind[i] <= max_slots;
-            if (forbidden(d) > 0. ||
+            const bool   jump = n.kind[i] <= max_slots;
+            const double left = fields.left(d), right = fields.right(d);
+            if (fields.forbidden(d) > 0. ||
                 (jump &&
-                 (outside(d) == 0. || std::min(left(d), right(d)) <=
-                                          tolerance * (left(d) + right(d)))))
+                 (fields.touched(d) == 0. || fields.outside_core(d) == 0. ||
+                  std::min(left, right) <= tolerance * (left + right))))
               constraints.add_line(d);
           }
       }

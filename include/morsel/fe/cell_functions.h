@@ -4,6 +4,7 @@
 #include <morsel/fe/cut_quadrature.h>
 #include <morsel/fe/xfem_space.h>
 #include <morsel/fracture/elastic_plane.h>
+#include <morsel/fracture/tip_fields.h>
 
 #include <Eigen/Dense>
 
@@ -49,14 +50,14 @@ namespace Morsel::FE
     coefficients(const Cell                &cell,
                  const std::vector<double> &local_dof_values) const;
 
-    /// H_ij = du_i/dx_j at point @p q for such coefficients.
-    dealii::Tensor<2, 2>
-    gradient(const Eigen::MatrixX2d &coefficients, const unsigned int q) const;
-
-    /// The displacement at point @p q [m].
-    dealii::Tensor<1, 2>
-    displacement(const Eigen::MatrixX2d &coefficients,
-                 const unsigned int      q) const;
+    /// Displacement and gradient of a field at points of a cell, without
+    /// tabulating the enriched functions one by one.
+    std::vector<Fracture::DisplacementSample>
+    sample(const Cell                          &cell,
+           const QuadMap                       &map,
+           const Eigen::MatrixX2d              &coefficients,
+           const std::vector<dealii::Point<2>> &points,
+           const std::vector<dealii::Point<2>> &reference);
 
     /// A quadrature that suits products of two of the cell's gradients.
     /// @param extra points per direction beyond that
@@ -76,6 +77,14 @@ namespace Morsel::FE
             const QuadMap                       &map,
             const std::vector<dealii::Point<2>> &points,
             const std::vector<dealii::Point<2>> &reference);
+
+    /// The ramp times each tip function.
+    std::array<Fracture::ValueAndGradient, 4>
+    blended_tip_functions(const unsigned int           tip,
+                          const std::array<double, 4> &ramp,
+                          const dealii::Tensor<2, 2>  &inverse_jacobian,
+                          const dealii::Point<2>      &point,
+                          const dealii::Point<2>      &reference) const;
 
     const XFEMSpace &space;
     Eigen::MatrixXd  value, dx, dy;

@@ -52,6 +52,8 @@ namespace Morsel::FE
     std::array<std::array<double, 4>, max_slots> ramp{};
     /// The constant side of each jump on a cell that its crack does not cut.
     std::array<double, max_slots> side{{0., 0., 0., 0.}};
+    /// Whether the crack of each jump reaches the cell.
+    std::array<bool, max_slots> touched{{false, false, false, false}};
     /// Whether a crack runs through the cell's interior.
     bool cut = false;
 
@@ -184,8 +186,19 @@ namespace Morsel::FE
     }
 
   private:
+    /// What the supports of the enriched functions look like, by dof.
+    struct SupportFields
+    {
+      VertexField left, right;  ///< area on either side of the crack [m^2]
+      VertexField touched;      ///< number of cells that the crack reaches
+      VertexField outside_core; ///< number of cells where jumps are needed
+      VertexField forbidden;    ///< number of faces where it must vanish
+    };
+
     void
     mark_vertices();
+    bool
+    holds_tip_of(const unsigned int crack, const QuadMap &map) const;
     void
     spread_to_parents(VertexField &marks) const;
     void
@@ -205,12 +218,8 @@ namespace Morsel::FE
     tie_duplicates();
     void
     drop_inactive_functions();
-    void
-    gather_support(const dealii::AffineConstraints<double> &hanging,
-                   VertexField                             &left,
-                   VertexField                             &right,
-                   VertexField                             &outside_core,
-                   VertexField                             &forbidden) const;
+    SupportFields
+    gather_support(const dealii::AffineConstraints<double> &hanging) const;
     std::pair<double, double>
     areas_beside_crack(const dealii::DoFHandler<2>::cell_iterator &cell,
                        const unsigned int                          slot) const;
