@@ -222,20 +222,27 @@ namespace Morsel::FE
   {
     const CellEnrichment &e = space.get_enrichment(cell->active_cell_index());
     const LocalNumbering &n = space.get_numbering(cell->active_fe_index());
+    // Tip functions are analytic off the tip: n Gauss points more than their
+    // polynomial factors need leave an error of (z + sqrt(z^2 - 1))^(-2n),
+    // z = 1 + 2 distance/width (Davis and Rabinowitz); n for 1e-6.
     std::vector<Point<2>> near_tips;
-    const Point<2>        center  = map.to_physical(Point<2>(0.5, 0.5));
-    bool                  has_tip = false;
+    unsigned int          points = n.degree + 1;
+    const double          width  = map.diameter() / std::sqrt(2.);
     for (const int t : e.tip)
       if (t != CellEnrichment::none)
         {
-          has_tip            = true;
-          const Point<2> tip = space.get_tips()[t].position;
-          if (tip.distance(center) < 2. * map.diameter())
+          const Point<2> tip      = space.get_tips()[t].position;
+          const double   distance = distance_to_polygon(tip, map.polygon());
+          if (distance < 2. * width)
             near_tips.push_back(tip);
+          const double       z = 1. + 2. * std::max(distance / width, 0.2);
+          const unsigned int more =
+              std::ceil(6.9 / std::log(z + std::sqrt(z * z - 1.)));
+          points = std::max(
+              points,
+              std::max(n.degree, space.get_tip_parameters(t).tip_degree) + 1 +
+                  more);
         }
-    const unsigned int points =
-        has_tip ? std::max(n.degree, space.get_tip_parameters(0).tip_degree) + 3
-                : n.degree + 1;
     if (!e.cut && near_tips.empty())
       return gauss_quadrature(map, points + extra);
     std::vector<Fracture::Crack> near_cracks;

@@ -102,7 +102,7 @@ namespace Morsel::FE
 
       const GaussRule &radial  = gauss_rule(2 * n - 2);
       const GaussRule &plain   = gauss_rule(n + 1);
-      const GaussRule &angular = gauss_rule(n + 1);
+      const GaussRule &angular = gauss_rule(n);
       for (unsigned int k = 0; k + 1 < limits.size(); ++k)
         {
           const bool       singular = limits.size() == 2 && relative <= 1e-12;
@@ -146,24 +146,30 @@ namespace Morsel::FE
           std::abs(cross(ea, eb)) <= 1e-13 * far * far)
         return;
       const double cosine = (ea * eb) / (ra * rb);
-      if (depth < 80 && (cosine < 0.4 || far > 2.5 * std::min(ra, rb)))
+      if (depth < 30 && (cosine < 0.4 || far > 2.5 * std::min(ra, rb)))
         {
-          // Split at the foot of the perpendicular if it is inside, else at
-          // the geometric mean of the two distances.
-          const Tensor<1, 2> e    = b - a;
-          const double       foot = -(ea * e) / e.norm_square();
-          double             t    = foot;
-          if (foot < 1e-3 || foot > 1. - 1e-3)
-            t = foot <= 0.5 ? std::sqrt(ra / rb) * ra / (ra + rb)
-                            : 1. - std::sqrt(rb / ra) * rb / (ra + rb);
-          if (cosine >= 0.4)
-            t = ra < rb ? std::sqrt(ra) / (std::sqrt(ra) + std::sqrt(rb))
-                        : 1. - std::sqrt(rb) / (std::sqrt(ra) + std::sqrt(rb));
-          t                = std::clamp(t, 1e-9, 1. - 1e-9);
-          const Point<2> m = a + t * e;
-          add_fan(apex, a, m, scale, n, quadrature, depth + 1);
-          add_fan(apex, m, b, scale, n, quadrature, depth + 1);
-          return;
+          // Split at the foot of the perpendicular if it is inside, else
+          // where the distance is the geometric mean of the two ends'.
+          const Tensor<1, 2> e      = b - a;
+          const double       length = e.norm();
+          const double       sa     = (ea * e) / length;
+          const double       sb     = (eb * e) / length;
+          const double       height = std::abs(cross(ea, e)) / length;
+          double             sm     = 0.;
+          if (sa > -1e-9 * length || sb < 1e-9 * length)
+            {
+              const double reach =
+                  std::sqrt(std::max(0., ra * rb - height * height));
+              sm = sa > -1e-9 * length ? reach : -reach;
+            }
+          const double t = (sm - sa) / length;
+          if (t > 1e-12 && t < 1. - 1e-12)
+            {
+              const Point<2> m = a + t * e;
+              add_fan(apex, a, m, scale, n, quadrature, depth + 1);
+              add_fan(apex, m, b, scale, n, quadrature, depth + 1);
+              return;
+            }
         }
       add_fan_triangle(apex, a, b, scale, n, quadrature);
     }
@@ -386,6 +392,8 @@ namespace Morsel::FE
                     distance > 1e-12 * size ? distance : 0.,
                     n,
                     quadrature);
+        else if (pieces.size() == 1)
+          return gauss_quadrature(map, n);
         else
           for (unsigned int i = 1; i + 1 < piece.size(); ++i)
             add_triangle(piece[0], piece[i], piece[i + 1], n, quadrature);
