@@ -1,3 +1,101 @@
+#include <morsel/core/command_line.h>
+#include <morsel/core/errors.h>
+#include <morsel/core/failure.h>
+#include <morsel/core/signals.h>
+#include <morsel/scene/read.h>
+#include <morsel/simulation.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
+
+#include <functional>
+#include <iostream>
+
+namespace
+{
+  using namespace Morsel;
+
+  Scene::ParameterFormat
+  parameter_format(const std::string &name)
+  {
+    if (name == "json")
+      return Scene::ParameterFormat::json;
+    return name == "md" ? Scene::ParameterFormat::markdown
+                        : Scene::ParameterFormat::prm;
+  }
+
+
+  /// Reads the scene on rank 0 first: if it is bad, rank 0 alone says so, and
+  /// all ranks end with its status.
+  Scene::Scene
+  read_scene_on_all_ranks(const CommandLine &command_line)
+  {
+    const auto read = [&] {
+      return Scene::read_scene(command_line.scene_file, command_line.overrides);
+    };
+    FirstRank    first_rank;
+    Scene::Scene scene;
+    first_rank.run([&] { scene = read(); });
+    return first_rank.is_this_rank() ? scene : read();
+  }
+
+
+  void
+  run(const CommandLine &command_line)
+  {
+    if (command_line.resume)
+      throw InputError("--resume: there is no checkpoint in the folder of "
+                       "results to go on from; leave the option out to start "
+                       "anew.");
+
+    const Scene::Scene scene   = read_scene_on_all_ranks(command_line);
+    RunOptions         options = command_line.run;
+    if (options.threads > 0)
+      dealii::MultithreadInfo::set_thread_limit(options.threads);
+    options.threads = dealii::MultithreadInfo::n_threads();
+    if (options.output_directory.empty())
+      options.output_directory = "output/" + scene.name;
+
+    FirstRank first_rank;
+    if (options.validate_only)
+      {
+        const std::string description = describe_run(scene);
+        first_rank.run([&] {
+          for (const std::string &advice : scene.warnings)
+            std::cout << "Advice: " << advice << '\n';
+          std::cout << description << std::flush;
+        });
+        return;
+      }
+
+    first_rank.run([&] { prepare_output_directory(options.output_directory); });
+    catch_signals();
+    run_simulation(scene, options);
+  }
+} // namespace
+
+
 int
-main()
-{}
+main(int argc, char **argv)
+{
+  // Every core of the machine, shared among its ranks, unless told otherwise.
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(
+      argc, argv, dealii::numbers::invalid_unsigned_int);
+
+  return exit_status_of([&] {
+    const CommandLine command_line =
+        read_command_line(std::vector<std::string>(argv + 1, argv + argc));
+    FirstRank first_rank;
+    if (!command_line.message.empty())
+      first_rank.run([&] { std::cout << command_line.message; });
+    else if (!command_line.print_parameters.empty())
+      first_rank.run([&] {
+        std::cout << Scene::print_parameters(
+            parameter_format(command_line.print_parameters),
+            command_line.scene_file,
+            command_line.overrides);
+      });
+    else
+      run(command_line);
+  });
+}

@@ -41,8 +41,8 @@ namespace Morsel::SPH
     prm.add_parameter(
         "CFL factor",
         cfl,
-        "Time step over h/c [1], c the longitudinal wave speed; the limits of "
-        "viscosity, hourglass control and contact reduce it further.",
+        "Time step over the largest stable one [1]; that is h/c, c the "
+        "longitudinal wave speed, less what viscosity and contact take.",
         Patterns::Double(1e-3, 1.5));
   }
 } // namespace Morsel::SPH

@@ -9,6 +9,7 @@ namespace Morsel
   enum class ExitStatus
   {
     done        = 0,
+    fault       = 1, ///< a fault of the program, or no memory
     bad_input   = 2,
     bad_numbers = 3,
     bad_files   = 4,

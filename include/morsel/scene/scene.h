@@ -19,6 +19,16 @@ namespace Morsel::Scene
   {
     dealii::Point<2> lower_corner;
     dealii::Point<2> upper_corner;
+
+    void
+    declare(dealii::ParameterHandler &prm);
+
+    /// Extent in a direction [m].
+    double
+    extent(unsigned int direction) const
+    {
+      return upper_corner[direction] - lower_corner[direction];
+    }
   };
 
 
@@ -33,6 +43,13 @@ namespace Morsel::Scene
     Materials::MaterialParameters material; ///< completed from the catalogue
     Materials::DamageParameters   damage;
     SPH::SolidParameters          solid;
+
+    void
+    declare(dealii::ParameterHandler &prm);
+
+    /// Rows of particles along y that fill the shape.
+    unsigned int
+    particles_high() const;
   };
 
 
@@ -43,6 +60,9 @@ namespace Morsel::Scene
     Rectangle             shape;
     double                node_spacing = 0.; ///< of its surface [m], 0 = dp/2
     Jaw::MotionParameters motion;
+
+    void
+    declare(dealii::ParameterHandler &prm);
   };
 
 
@@ -58,6 +78,9 @@ namespace Morsel::Scene
   {
     double end_time  = 0.4; ///< [s]
     double time_step = 0.;  ///< [s], 0 = the stable step
+
+    void
+    declare(dealii::ParameterHandler &prm);
   };
 
 
@@ -71,14 +94,20 @@ namespace Morsel::Scene
     /// ... and the plates have closed this much further, relative to the
     /// food's height [1]. 0 with a residual force of 0: never.
     double closure_after_failure = 0.01;
+
+    void
+    declare(dealii::ParameterHandler &prm);
   };
 
 
   struct OutputParameters
   {
     bool         fields          = true;
-    unsigned int field_frames    = 40;   ///< about so many moments
-    unsigned int history_samples = 2000; ///< about so many rows at most
+    unsigned int field_frames    = 40;  ///< about so many moments
+    unsigned int history_samples = 600; ///< about so many rows at most
+
+    void
+    declare(dealii::ParameterHandler &prm);
   };
 
 
@@ -86,6 +115,9 @@ namespace Morsel::Scene
   {
     double fragment_share  = 0.005; ///< smallest fragment, share of mass [1]
     double friend_distance = 1.2;   ///< in spacings [1]
+
+    void
+    declare(dealii::ParameterHandler &prm);
   };
 
 
@@ -105,6 +137,14 @@ namespace Morsel::Scene
     StopParameters             stop;
     OutputParameters           output;
     MeasureParameters          measures;
+
+    /// The complete parameters as a scene file that reproduces the run, with
+    /// the catalogue's values written out: the content of used.prm.
+    std::string used_parameters;
+    /// Hash of used_parameters, see text_hash().
+    std::string parameters_hash;
+    /// Advice that reading gave: the run log prints it.
+    std::vector<std::string> warnings;
   };
 } // namespace Morsel::Scene
 

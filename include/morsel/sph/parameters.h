@@ -19,8 +19,8 @@ namespace Morsel::SPH
     std::string viscosity       = "auto"; ///< auto|on|off
     double      viscosity_alpha = 1.;
     double      viscosity_beta  = 2.;
-    /// dt = cfl * h/c, reduced by viscosity, hourglass and contact [1].
-    double cfl = 0.5;
+    /// Time step over the largest stable one [1].
+    double cfl = 0.75;
 
     void
     declare(dealii::ParameterHandler &prm);

@@ -1,0 +1,137 @@
+#ifndef morsel_contact_plate_contact_h
+#define morsel_contact_plate_contact_h
+
+#include <morsel/contact/parameters.h>
+#include <morsel/contact/surface.h>
+#include <morsel/core/records.h>
+
+#include <memory>
+#include <vector>
+
+namespace Morsel::Contact
+{
+  /// What contact needs to know of the particles that press on a surface.
+  struct ParticleSide
+  {
+    double spacing;          ///< dp [m]
+    double depth;            ///< out of plane [m]
+    double mass;             ///< of one particle [kg]
+    double youngs_modulus;   ///< [Pa]
+    double p_wave_modulus;   ///< lambda + 2 mu [Pa]
+    double smoothing_length; ///< h [m], of the potential's kernel
+  };
+
+
+  /// Force on one particle.
+  struct ParticleForce
+  {
+    unsigned int         particle;
+    dealii::Tensor<1, 2> force; ///< [N]
+  };
+
+
+  /// Penalty contact between particles and one surface. Forces are equal and
+  /// opposite; those on the surface are shared between a facet's two nodes
+  /// so that neither force nor moment is lost.
+  class PlateContact
+  {
+  public:
+    virtual ~PlateContact() = default;
+
+    /// Forces at the positions reference + displacement of the first
+    /// @p n_owned particles. Adds to the forces on the surface's nodes, and
+    /// the friction heat of a step of length @p time_step [s].
+    /// The returned list is valid until the next call.
+    const std::vector<ParticleForce> &
+    compute(const std::vector<dealii::Point<2>> &reference,
+            const std::vector<Motion>           &motion,
+            unsigned int                         n_owned,
+            double                               time_step,
+            Surface                             &surface);
+
+    /// Particles whose centres are within @p distance [m] of the surface, as
+    /// they stood at the last compute(); no further than the search margin
+    /// (three spacings beyond the range).
+    std::vector<unsigned int>
+    particles_within(double distance, const Surface &surface) const;
+
+    /// Recoverable energy at the last compute() [J].
+    double
+    stored_energy() const
+    {
+      return energy;
+    }
+
+    /// Heat of friction so far [J].
+    double
+    friction_heat() const
+    {
+      return heat;
+    }
+
+    /// Deepest penetration at the last compute() [m].
+    double
+    deepest_penetration() const
+    {
+      return penetration;
+    }
+
+    /// Stiffness of one particle against the surface [N/m]; bounds the step.
+    virtual double
+    stiffness() const = 0;
+
+  protected:
+    PlateContact(const ContactParameters &parameters,
+                 const ParticleSide      &side,
+                 double                   range);
+
+    /// A particle and the facets near it, [first, last) of facets_near.
+    struct Candidate
+    {
+      unsigned int particle, first, last;
+    };
+
+    /// Force on a particle at @p x with velocity @p v.
+    virtual dealii::Tensor<1, 2>
+    press(const dealii::Point<2>     &x,
+          const dealii::Tensor<1, 2> &v,
+          const Candidate            &candidate,
+          double                      time_step,
+          Surface                    &surface) = 0;
+
+    /// Coulomb friction [N] on a particle that slides with @p slip [m/s];
+    /// never more than what stops it within the step.
+    dealii::Tensor<1, 2>
+    friction(double                      normal_force,
+             const dealii::Tensor<1, 2> &slip,
+             double                      time_step);
+
+    const ContactParameters parameters;
+    const ParticleSide      side;
+    const double            range; ///< [m], nothing acts beyond it
+
+    std::vector<Candidate>    candidates;
+    std::vector<unsigned int> facets_near;
+    double                    energy = 0., heat = 0., penetration = 0.;
+
+  private:
+    void
+    search(const std::vector<dealii::Point<2>> &x, const Surface &surface);
+
+    bool
+    search_is_due(const std::vector<dealii::Point<2>> &x,
+                  const Surface                       &surface) const;
+
+    const double                  margin;
+    std::vector<dealii::Point<2>> position, searched_at, searched_nodes;
+    std::vector<ParticleForce>    forces;
+  };
+
+
+  /// The contact law that the parameters name.
+  std::unique_ptr<PlateContact>
+  make_plate_contact(const ContactParameters &parameters,
+                     const ParticleSide      &side);
+} // namespace Morsel::Contact
+
+#endif

@@ -1,0 +1,149 @@
+#ifndef morsel_core_log_h
+#define morsel_core_log_h
+
+#include <chrono>
+#include <deque>
+#include <fstream>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Morsel
+{
+  /// What a run tells while it goes: text to run.log and, unless quiet, to
+  /// the terminal; one live line of progress; the wall time of each part.
+  class RunLog
+  {
+  public:
+    /// Opens the log.
+    /// @param file_name run.log, or empty for none.
+    /// @param quiet nothing goes to the terminal.
+    /// @param active whether this rank writes at all (rank 0).
+    /// @throw FileError if the file cannot be opened.
+    RunLog(const std::string &file_name, bool quiet, bool active);
+
+    ~RunLog();
+
+    RunLog(const RunLog &) = delete;
+    RunLog &
+    operator=(const RunLog &) = delete;
+
+    template <typename T>
+    RunLog &
+    operator<<(const T &item);
+
+    /// std::endl and std::flush.
+    RunLog &
+    operator<<(std::ostream &(*manipulator)(std::ostream &));
+
+    /// One line of advice, marked as such.
+    void
+    warning(const std::string &text);
+
+    /// Tells how far the run is; call it every step. On a terminal the line
+    /// is renewed a few times a second, in the log there is one every ten
+    /// percent.
+    /// @param fraction share of the run that is done [1].
+    /// @param time simulated time [s].
+    /// @param step number of steps done.
+    void
+    progress(double fraction, double time, unsigned long long step);
+
+    /// Removes the live line; progress starts anew.
+    void
+    end_progress();
+
+    /// Measures wall time from its construction to its end; costs two reads
+    /// of the clock (some 50 ns).
+    class Section
+    {
+    public:
+      Section(double &seconds)
+          : seconds(seconds)
+          , begin(std::chrono::steady_clock::now())
+      {}
+
+      ~Section()
+      {
+        seconds += std::chrono::duration<double>(
+                       std::chrono::steady_clock::now() - begin)
+                       .count();
+      }
+
+      Section(const Section &) = delete;
+      Section &
+      operator=(const Section &) = delete;
+
+    private:
+      double                               &seconds;
+      std::chrono::steady_clock::time_point begin;
+    };
+
+    /// Adds the wall time until the end of the scope to a part:
+    /// `const auto timer = log.section("contact");`. Sections may nest; a
+    /// part's time then holds that of the parts within it.
+    /// @param name a string literal.
+    Section
+    section(const char *name)
+    {
+      return Section(seconds_of(name));
+    }
+
+    /// Seconds of each part, in the order of first use.
+    std::vector<std::pair<std::string, double>>
+    wall_times() const;
+
+    /// Seconds since the log was opened.
+    double
+    wall_time() const;
+
+    /// Writes the table of parts, with shares of the whole.
+    void
+    print_wall_times();
+
+  private:
+    struct Part
+    {
+      const char *name;
+      double      seconds;
+    };
+
+    double &
+    seconds_of(const char *name);
+
+    void
+    write(const std::string &text);
+
+    using Clock = std::chrono::steady_clock;
+
+    std::ofstream     file;
+    bool              to_terminal;
+    bool              active;
+    bool              live_line_allowed;
+    bool              live_line_shown = false;
+    Clock::time_point begin;
+    Clock::time_point progress_begin;
+    Clock::time_point last_shown;
+    int               last_tenth = -1;
+    /// A deque, since open sections point into it while it grows.
+    std::deque<Part> parts;
+  };
+
+
+  template <typename T>
+  RunLog &
+  RunLog::operator<<(const T &item)
+  {
+    if (active)
+      {
+        std::ostringstream text;
+        text << item;
+        write(text.str());
+      }
+    return *this;
+  }
+} // namespace Morsel
+
+#endif

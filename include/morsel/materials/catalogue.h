@@ -1,0 +1,67 @@
+#ifndef morsel_materials_catalogue_h
+#define morsel_materials_catalogue_h
+
+#include <morsel/materials/parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace Morsel::Materials
+{
+  /// One food or rock of the catalogue. A value of 0 is not known.
+  struct CatalogueEntry
+  {
+    std::string              name;
+    std::string              kind;                      ///< "food" or "rock"
+    double                   density              = 0.; ///< [kg/m^3]
+    double                   youngs_modulus       = 0.; ///< [Pa]
+    double                   poissons_ratio       = 0.; ///< [1]
+    double                   toughness            = 0.; ///< U [J/m^3]
+    double                   compressive_strength = 0.; ///< f_c [Pa]
+    std::string              source;  ///< where the values come from
+    std::vector<std::string> assumed; ///< values that were not measured
+  };
+
+
+  /// The foods and rocks that the program ships as data.
+  class Catalogue
+  {
+  public:
+    /// Reads a catalogue.
+    /// @throw FileError if the file is missing or is not a catalogue.
+    explicit Catalogue(const std::string &file_name);
+
+    /// The shipped catalogue's file: where the program was built, or else
+    /// beside the installed program (share/morsel).
+    /// @throw FileError if it is in neither place.
+    static std::string
+    shipped_file();
+
+    const std::vector<CatalogueEntry> &
+    entries() const;
+
+    /// The names of all entries.
+    std::vector<std::string>
+    names() const;
+
+    /// The entry of this name, or nullptr.
+    const CatalogueEntry *
+    find(const std::string &name) const;
+
+  private:
+    std::vector<CatalogueEntry> materials;
+  };
+
+
+  /// Fills what is not given (0; Poisson's ratio -1) from a catalogue entry.
+  void
+  complete(MaterialParameters &material, const CatalogueEntry &entry);
+
+
+  /// Derives the compressive strength sqrt(2 E U) where none is given, but a
+  /// toughness.
+  void
+  derive_strength(MaterialParameters &material);
+} // namespace Morsel::Materials
+
+#endif

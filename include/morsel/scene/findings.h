@@ -1,0 +1,77 @@
+#ifndef morsel_scene_findings_h
+#define morsel_scene_findings_h
+
+#include <morsel/core/parameters.h>
+#include <morsel/scene/scene.h>
+
+#include <string>
+#include <vector>
+
+namespace Morsel::Scene
+{
+  /// What was found, with the entry that each finding is about.
+  class Findings
+  {
+  public:
+    Findings(const std::vector<ParameterEntry> &entries,
+             const std::string                 &file_name)
+        : entries(entries)
+        , file_name(file_name)
+    {}
+
+    void
+    mistake(const std::string &path, const std::string &text)
+    {
+      mistakes += (mistakes.empty() ? "" : "\n") + place(path) + text;
+    }
+
+    void
+    advise(const std::string &path, const std::string &text)
+    {
+      advice.push_back(place(path) + text);
+    }
+
+    /// Whether an entry is fine as far as it is known, for checks that
+    /// build upon others.
+    bool
+    clean() const
+    {
+      return mistakes.empty();
+    }
+
+    bool
+    is_given(const std::string &path) const
+    {
+      return !last_place(entries, path).empty();
+    }
+
+    std::string              mistakes;
+    std::vector<std::string> advice;
+
+  private:
+    std::string
+    place(const std::string &path) const
+    {
+      const std::string where = last_place(entries, path);
+      return where.empty() ? file_name + ": '" + path + "' (not given): "
+                           : where + ": '" + path + "' = '" +
+                                 last_value(entries, path, "") + "': ";
+    }
+
+    const std::vector<ParameterEntry> &entries;
+    const std::string                 &file_name;
+  };
+
+
+  /// Checks that shapes are sound, inside of the domain and apart.
+  void
+  check_geometry(const Scene &scene, Findings &findings);
+
+
+  /// Overlap of two rectangles: the smaller of their common extents [m],
+  /// negative where there is a gap.
+  double
+  overlap(const Rectangle &a, const Rectangle &b);
+} // namespace Morsel::Scene
+
+#endif

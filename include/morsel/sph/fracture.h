@@ -1,0 +1,121 @@
+#ifndef morsel_sph_fracture_h
+#define morsel_sph_fracture_h
+
+#include <morsel/materials/damage.h>
+#include <morsel/sph/bonds.h>
+#include <morsel/sph/pair_loops.h>
+#include <morsel/sph/particles.h>
+
+#include <vector>
+
+namespace Morsel::SPH
+{
+  /// Damage growth and the breaking of bonds of one body.
+  ///
+  /// A particle whose damage reaches one fails: its bonds are cut for good
+  /// and it goes on as a grain (see Granular). A bond longer than the friend
+  /// distance lives only as long as a chain of shorter live bonds connects
+  /// its ends, so that bonds do not reach across a crack one row wide, and
+  /// the pieces that live bonds hold together are exactly the fragments that
+  /// friends-of-friends finds.
+  class Fracture
+  {
+  public:
+    /// Allocates and fills the damage fields of @p particles.
+    /// @param friend_distance [m].
+    Fracture(Particles                         &particles,
+             Bonds                             &bonds,
+             const Kernel                      &kernel,
+             const Materials::Elasticity       &material,
+             bool                               linear_law,
+             const Materials::DamageLaw        &law,
+             const Materials::DamageParameters &parameters,
+             double                             friend_distance,
+             unsigned int                       seed);
+
+    /// Damage growth over one step from the present stress; then cuts the
+    /// bonds of what has failed. Returns the particles that failed now.
+    const std::vector<unsigned int> &
+    update(double time_step);
+
+    /// Energy released by the breaking of bonds so far [J]; what the cut
+    /// itself changed, as opposed to damage growth before it.
+    double
+    bond_heat() const
+    {
+      return heat_of_bonds;
+    }
+
+    /// Length of the shortest bond that particle @p i had when it failed
+    /// [m]; the spacing where it has not.
+    const std::vector<double> &
+    contact_diameters() const
+    {
+      return contact_diameter;
+    }
+
+    /// Particles with at least one cut bond.
+    const std::vector<char> &
+    exposed_particles() const
+    {
+      return exposed;
+    }
+
+    double
+    failed_share() const
+    {
+      return static_cast<double>(failed_count) / particles.n_owned;
+    }
+
+  private:
+    void
+    grow(unsigned int begin, unsigned int end, double time_step);
+
+    double
+    averaged_driver(unsigned int i) const;
+
+    void
+    release_damage(unsigned int i, double new_damage);
+
+    double
+    energy_of(unsigned int i) const;
+
+    void
+    fail(unsigned int i);
+
+    bool
+    cut_unsupported(unsigned int i);
+
+    void
+    cut(unsigned int k, unsigned int i);
+
+    void
+    touch(unsigned int i);
+
+    bool
+    supported(unsigned int i, unsigned int k) const;
+
+    void
+    settle_touched();
+
+    Particles                  &particles;
+    Bonds                      &bonds;
+    const Kernel                kernel;
+    const Materials::Elasticity material;
+    const bool                  linear_law;
+    const Materials::DamageLaw  law;
+    const bool                  average_stress;
+    const double                friend_distance_square;
+    const double                hourglass_stiffness;
+
+    std::vector<unsigned int> newly_failed, failed_now, touched;
+    std::vector<double>       energy_before;
+    std::vector<char>         is_touched, exposed;
+    std::vector<double>       contact_diameter;
+    double                    heat_of_bonds = 0.;
+    unsigned int              failed_count  = 0;
+    double                    weakest       = 0.;
+  };
+} // namespace Morsel::SPH
+
+#endif

@@ -1,0 +1,125 @@
+#ifndef morsel_sph_granular_h
+#define morsel_sph_granular_h
+
+#include <morsel/core/kernel.h>
+#include <morsel/materials/elasticity.h>
+#include <morsel/sph/bonds.h>
+#include <morsel/sph/particles.h>
+
+#include <vector>
+
+namespace Morsel::SPH
+{
+  /// Constants of the granular response.
+  struct GranularConstants
+  {
+    double friction;          ///< sqrt(J2) <= friction * pressure [1]
+    double viscosity_alpha;   ///< T3-44 [1]
+    double viscosity_beta;    ///< T3-44 [1]
+    double contact_stiffness; ///< of two particles that touch [N/m]
+  };
+
+
+  /// What becomes of failed material, and of the surfaces that breaking has
+  /// laid bare: pairs that no bond holds (any more).
+  ///
+  /// A failed particle is a grain of an updated Lagrangian granular material:
+  /// density by continuity from what it was at failure, pressure by the same
+  /// law as the solid's and never below zero, a deviator by the Jaumann rate
+  /// under a Drucker-Prager cap. Against live particles the pair force is
+  /// that of its stress alone, counted twice, so that it hands over the full
+  /// traction, and so is the pair's part of its velocity gradient: power and
+  /// energy agree. Unbonded particles that come closer than their contact
+  /// diameter repel each other by a penalty; live ones rub with Coulomb
+  /// friction.
+  class Granular
+  {
+  public:
+    Granular(Particles                   &particles,
+             const Bonds                 &bonds,
+             const Kernel                &kernel,
+             const Materials::Elasticity &material,
+             const GranularConstants     &constants,
+             const std::vector<char>     &exposed,
+             const std::vector<double>   &contact_diameters);
+
+    /// Takes over particles that have just failed: density ratio from their
+    /// deformation gradient, no deviator.
+    void
+    take_over(const std::vector<unsigned int> &failed);
+
+    /// Advances density and deviator by one step; positions are at the new
+    /// time, half_velocity at the middle of the step.
+    void
+    advance(double time_step);
+
+    /// Adds the accelerations of all unbonded pairs at the present positions.
+    void
+    add_forces(double time_step);
+
+    bool
+    active() const
+    {
+      return any_failed;
+    }
+
+    /// Recoverable energy of the grains and of penalty contacts [J].
+    double
+    stored_energy() const;
+
+    /// Energy turned into heat so far [J] by grain friction and by surface
+    /// friction and viscosity of unbonded pairs.
+    double
+    friction_heat() const;
+
+    double
+    viscous_heat() const;
+
+    /// Cauchy stress of a failed particle [Pa].
+    Materials::PlaneStrainStress
+    stress(unsigned int i) const;
+
+    /// Density over reference density [1].
+    double
+    density_ratio(const unsigned int i) const
+    {
+      return ratio[i];
+    }
+
+  private:
+    void
+    update_list();
+
+    void
+    advance_range(unsigned int begin, unsigned int end, double time_step);
+
+    void
+    force_range(unsigned int begin, unsigned int end, double time_step);
+
+    double
+    grain_energy(unsigned int i) const;
+
+    Particles                  &particles;
+    const Bonds                &bonds;
+    const Kernel                kernel;
+    const Materials::Elasticity material;
+    const GranularConstants     constants;
+    const std::vector<char>    &exposed;
+    const std::vector<double>  &contact_diameter;
+
+    std::vector<char>       on_surface; ///< of the intact body
+    std::vector<double>     ratio;      ///< rho / rho_0 [1]
+    std::vector<Symmetric2> deviator;   ///< in plane, of the grains [Pa]
+    std::vector<double>     grain_heat, pair_friction_heat, pair_viscous_heat;
+    std::vector<double>     penalty_energy;
+
+    // Unbonded pairs near each other, rebuilt when anything has moved far.
+    std::vector<unsigned int>     members; ///< particles of the list's rows
+    NeighbourList                 list;
+    std::vector<dealii::Point<2>> built_at;
+    bool                          any_failed = false;
+    bool                          stale      = true;
+  };
+} // namespace Morsel::SPH
+
+#endif

@@ -1,0 +1,176 @@
+#ifndef morsel_sph_solid_h
+#define morsel_sph_solid_h
+
+#include <morsel/contact/plate_contact.h>
+#include <morsel/scene/scene.h>
+#include <morsel/sph/bonds.h>
+#include <morsel/sph/fracture.h>
+#include <morsel/sph/granular.h>
+#include <morsel/sph/host.h>
+#include <morsel/sph/pair_loops.h>
+#include <morsel/sph/particles.h>
+
+#include <memory>
+
+namespace Morsel::SPH
+{
+  /// Energies of one body [J].
+  struct SolidEnergies
+  {
+    double strain        = 0.; ///< recoverable, of live particles
+    double hourglass     = 0.; ///< of the residual of the linear fit
+    double kinetic       = 0.;
+    double granular      = 0.; ///< recoverable, of grains and pairs
+    double damage_heat   = 0.;
+    double bond_heat     = 0.;
+    double viscous_heat  = 0.;
+    double friction_heat = 0.;
+  };
+
+
+  /// A body of particles: total Lagrangian, normalised by the gradient
+  /// matrix in strain and force, with damage and granular response where the
+  /// scene asks for them.
+  ///
+  /// Call order of a step: compute_accelerations(), add_grain_forces(),
+  /// apply_forces() for each contact, grow_damage(), advance(),
+  /// advance_grains(). Sums (energies, momentum, counts) are over all ranks
+  /// and collective.
+  class Solid
+  {
+  public:
+    /// Fills the body's shape on the ranks of @p communicator.
+    /// @throws InputError for effects that one rank alone can simulate.
+    Solid(const Scene::ParticleBody &body,
+          const Scene::Scene        &scene,
+          MPI_Comm                   communicator);
+
+    /// The body's CFL factor times the largest stable step [s], with a
+    /// contact of @p contact_stiffness [N/m] per particle.
+    double
+    stable_time_step(double contact_stiffness) const;
+
+    void
+    compute_accelerations(double time_step);
+
+    /// Forces of unbonded pairs; nothing where nothing has failed.
+    void
+    add_grain_forces(double time_step);
+
+    void
+    apply_forces(const std::vector<Contact::ParticleForce> &forces);
+
+    /// Damage growth and broken bonds of this step.
+    void
+    grow_damage(double time_step);
+
+    /// Leapfrog: half velocities and displacements.
+    void
+    advance(double time_step);
+
+    /// Density and stress of the grains.
+    void
+    advance_grains(double time_step);
+
+    /// Marks the particles in whose stress numerical tension is expected.
+    void
+    set_near_face(const std::vector<unsigned int> &near);
+
+    /// Energies at the time of the last compute_accelerations().
+    SolidEnergies
+    energies(double time_step) const;
+
+    /// Linear momentum at the last half step [kg m/s].
+    Vector2
+    momentum() const;
+
+    /// Cauchy stress that a particle carries [Pa].
+    Materials::PlaneStrainStress
+    stress(unsigned int i) const;
+
+    const Particles &
+    get_particles() const
+    {
+      return particles;
+    }
+
+    const Bonds &
+    get_bonds() const
+    {
+      return bonds;
+    }
+
+    const Materials::Elasticity &
+    get_material() const
+    {
+      return material;
+    }
+
+    Contact::ParticleSide
+    contact_side() const;
+
+    bool
+    can_fail() const
+    {
+      return fracture != nullptr;
+    }
+
+    double
+    failed_share() const
+    {
+      return fracture ? fracture->failed_share() : 0.;
+    }
+
+    const ParticleHost<2> &
+    get_host() const
+    {
+      return host;
+    }
+
+    bool
+    has_viscosity() const
+    {
+      return viscosity;
+    }
+
+    /// Density over reference density [1].
+    double
+    density_ratio(unsigned int i) const;
+
+    /// Particles that are not finite or turned inside out.
+    unsigned int
+    inverted_count() const;
+
+    /// A particle whose state is not finite, or -1.
+    long
+    first_not_finite() const;
+
+  private:
+    void
+    fill(const Scene::ParticleBody &body);
+
+    void
+    make_breakable(const Scene::ParticleBody &body, const Scene::Scene &scene);
+
+    const double                depth;
+    const double                cfl;
+    const Kernel                kernel;
+    const Materials::Elasticity material;
+    const bool                  linear_law;
+    const Materials::Softening  softening;
+
+    ParticleHost<2> host;
+    Particles       particles;
+    Bonds           bonds;
+    LoopConstants   constants;
+    StrainLoop      strain_loop;
+    ForceLoop       force_loop;
+    bool            viscosity;
+    bool            started = false;
+
+    std::unique_ptr<Fracture> fracture;
+    std::unique_ptr<Granular> granular;
+  };
+} // namespace Morsel::SPH
+
+#endif

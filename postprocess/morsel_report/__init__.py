@@ -1,0 +1,1 @@
+"""The report on one run: reading what it left, drawing, and the page."""

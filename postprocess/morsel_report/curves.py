@@ -1,0 +1,183 @@
+"""Curves over the stroke: force, stress, energy, and the pieces' sizes."""
+import matplotlib.pyplot as plt
+import numpy as np
+
+from . import style
+
+PLATE_COLOURS = [style.BLUE, style.ORANGE, style.GREEN, style.PURPLE]
+
+# What the ledger stacks, from below: name in the history, label, colour.
+STORED = [
+    ("strain_energy", "strain", style.BLUE),
+    ("contact_energy", "contact", style.SKY),
+    ("granular_energy", "broken food (stored)", "#8FBCD4"),
+    ("hourglass_energy", "hourglass control", "#C9DDEA"),
+    ("kinetic_energy", "kinetic", style.GREEN),
+]
+DISSIPATED = [
+    ("dissipated_damage", "damage", style.RED),
+    ("dissipated_bonds", "breaking bonds", "#F0B48A"),
+    ("dissipated_viscosity", "viscosity", style.ORANGE),
+    ("dissipated_friction", "friction", style.PURPLE),
+    ("dissipated_granular_friction", "friction of broken food", "#E3BFD3"),
+]
+
+
+def plate_label(name):
+    """lower_plate as "lower plate"."""
+    return name.replace("_", " ")
+
+
+def force_over_time(run):
+    """Normal force on each plate, its peak and the tangential part."""
+    t, names = run.column("time"), run.plate_names()
+    if t is None or not names or len(t) < 2:
+        return None
+    time_factor, time_unit = style.prefix_of(t.max(), "s")
+    top = max(np.max(np.abs(run.column("force_" + n))) for n in names)
+    factor, unit = style.prefix_of(top, "N")
+    figure, axes = plt.subplots(figsize=(6.2, 3.7), layout="constrained")
+    for k, name in enumerate(names):
+        colour = PLATE_COLOURS[k % len(PLATE_COLOURS)]
+        axes.plot(time_factor * t, factor * run.column("force_" + name),
+                  color=colour, label=plate_label(name),
+                  ls="-" if k == 0 else (0, (5, 2)))
+        tangential = run.column("tangential_force_" + name)
+        if tangential is not None and np.max(np.abs(tangential)) > 1e-3 * top:
+            axes.plot(time_factor * t, factor * tangential, color=colour,
+                      lw=1.0, ls=":",
+                      label=plate_label(name) + ", tangential")
+    mean = run.mean_force()
+    i = int(np.argmax(mean))
+    if mean[i] > 0:
+        right = t[i] > 0.6 * t.max()
+        axes.plot(time_factor * t[i], factor * mean[i], "o", ms=5,
+                  color=style.INK, zorder=5)
+        axes.annotate("peak " + style.quantity(mean[i], "N", 3),
+                      (time_factor * t[i], factor * mean[i]),
+                      xytext=(-8 if right else 8, 2),
+                      ha="right" if right else "left", fontsize=9,
+                      textcoords="offset points")
+    axes.set_xlim(0, time_factor * t.max())
+    axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
+    axes.set_xlabel(f"Time [{time_unit}]")
+    axes.set_ylabel(f"Force on the plate [{unit}]")
+    axes.legend(loc="best")
+    return figure
+
+
+def stress_over_strain(run):
+    """Nominal stress against strain, with the prescribed strength."""
+    strain, stress = run.column("nominal_strain"), run.column("nominal_stress")
+    if strain is None or stress is None or len(strain) < 2:
+        return None
+    entry = run.results().get("compressive_strength", {})
+    reference = entry.get("reference")
+    top = max(np.max(np.abs(stress)), reference or 0.0)
+    factor, unit = style.prefix_of(top, "Pa")
+    figure, axes = plt.subplots(figsize=(6.2, 3.7), layout="constrained")
+    axes.plot(100 * strain, factor * stress, color=style.BLUE)
+    axes.set_xlim(0, 100 * np.max(strain))
+    axes.set_ylim(min(0.0, factor * np.min(stress)), 1.14 * factor * top)
+    if reference:
+        axes.axhline(factor * reference, color=style.RED, ls=(0, (5, 3)),
+                     lw=1.2)
+        axes.annotate("prescribed strength "
+                      + style.quantity(reference, "Pa", 4),
+                      (1, factor * reference), xycoords=("axes fraction",
+                                                         "data"),
+                      xytext=(-3, 4), textcoords="offset points", ha="right",
+                      fontsize=9, color=style.RED)
+    axes.set_xlabel("Nominal strain (closure over height) [%]")
+    axes.set_ylabel(f"Nominal stress [{unit}]")
+    return figure
+
+
+def energy_ledger(run):
+    """Stored and dissipated energy stacked under the work of the plates."""
+    t = run.column("time")
+    if t is None or len(t) < 2:
+        return None
+    terms = [(run.column(n), label, colour)
+             for n, label, colour in STORED + DISSIPATED
+             if run.column(n) is not None
+             and np.max(np.abs(run.column(n))) > 0]
+    if not terms:
+        return None
+    work, error = run.column("external_work"), run.column("energy_error")
+    top = np.max(np.sum([np.abs(y) for y, _, _ in terms], axis=0))
+    factor, unit = style.prefix_of(top, "J")
+    time_factor, time_unit = style.prefix_of(t.max(), "s")
+    rows = 1 if error is None else 2
+    figure, grid = plt.subplots(
+        rows, 1, sharex=True, squeeze=False, layout="constrained",
+        figsize=(9.6, 4.8 if rows == 2 else 3.8),
+        gridspec_kw={"height_ratios": [3.4, 1][:rows]})
+    axes = grid[0][0]
+    # A small term may be negative (round-off): stacks need what is positive.
+    axes.stackplot(time_factor * t,
+                   [factor * np.maximum(y, 0.0) for y, _, _ in terms],
+                   labels=[label for _, label, _ in terms],
+                   colors=[colour for _, _, colour in terms], lw=0)
+    if work is not None:
+        axes.plot(time_factor * t, factor * work, color=style.INK, lw=1.4,
+                  label="work of the plates")
+    axes.set_xlim(0, time_factor * t.max())
+    axes.set_ylim(bottom=0)
+    axes.set_ylabel(f"Energy [{unit}]")
+    handles, labels = axes.get_legend_handles_labels()
+    axes.legend(handles[::-1], labels[::-1], loc="upper left",
+                bbox_to_anchor=(1.01, 1.02), borderaxespad=0)
+    if error is not None:
+        below = grid[1][0]
+        below.plot(time_factor * t, 100 * error, color=style.INK, lw=1.2)
+        below.set_ylim(bottom=0)
+        below.set_ylabel("Closing\nerror [%]")
+    grid[-1][0].set_xlabel(f"Time [{time_unit}]")
+    return figure
+
+
+def fragment_sizes(run):
+    """The fragments' shares of the food, the largest first, with their sum."""
+    share = run.fragments.get("mass share")
+    if share is None:
+        share = run.fragments.get("mass_share")
+    if share is None or len(share) == 0:
+        return None
+    share = np.sort(share)[::-1]
+    # Beyond some tens the bars say nothing more; the rest is in the sum.
+    shown = min(len(share), 40)
+    rank = np.arange(1, shown + 1)
+    count = int(run.value("fragment_count", len(share)))
+    figure, axes = plt.subplots(figsize=(6.2, 3.7), layout="constrained")
+    axes.bar(rank, 100 * share[:shown], width=0.82,
+             color=[style.FRAGMENTS[k % len(style.FRAGMENTS)]
+                    if k < count else style.CRUMB for k in range(shown)])
+    axes.set_xlabel("Fragment, the largest first")
+    axes.set_ylabel("Share of the food [%]")
+    axes.set_xlim(0.3, shown + 0.7)
+    axes.xaxis.set_major_locator(plt.MaxNLocator(integer=True, min_n_ticks=1))
+    axes.grid(axis="x", visible=False)
+    total = axes.twinx()
+    total.plot(rank, 100 * np.cumsum(share)[:shown], color=style.INK,
+               marker="o", ms=3, lw=1.2)
+    total.set_ylim(0, 105)
+    total.set_ylabel("Together [%]")
+    total.spines["right"].set_visible(True)
+    total.grid(False)
+    return figure
+
+
+def failed_share(run):
+    """The share of the food that has failed, over the closure."""
+    strain, failed = run.column("nominal_strain"), run.column("failed_share")
+    if strain is None or failed is None or np.max(failed, initial=0) <= 0:
+        return None
+    figure, axes = plt.subplots(figsize=(6.2, 3.7), layout="constrained")
+    axes.fill_between(100 * strain, 100 * failed, color=style.DUST, lw=0)
+    axes.plot(100 * strain, 100 * failed, color=style.INK)
+    axes.set_xlim(0, 100 * np.max(strain))
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel("Nominal strain (closure over height) [%]")
+    axes.set_ylabel("Failed share of the food [%]")
+    return figure

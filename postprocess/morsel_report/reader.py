@@ -1,0 +1,207 @@
+"""Reads what a run left; whatever is missing is empty, never an error."""
+import csv
+import json
+import pathlib
+import re
+import xml.etree.ElementTree as ElementTree
+
+import h5py
+import numpy as np
+
+
+class NoRun(Exception):
+    """The folder holds nothing that a run would have left."""
+
+
+class Frame:
+    """One moment of one body; fields are read when they are asked for."""
+
+    def __init__(self, time, file):
+        self.time = time
+        self.file = file
+
+    def read(self, name):
+        """The field as an array, scalars flat and vectors (n, 2), or None."""
+        try:
+            with h5py.File(self.file, "r") as h5:
+                if name not in h5:
+                    return None
+                data = np.asarray(h5[name])
+        except OSError:
+            return None
+        if data.ndim == 2 and data.shape[1] == 1:
+            return data[:, 0]
+        return data[:, :2] if data.ndim == 2 and data.shape[1] == 3 else data
+
+    def points(self):
+        """Current positions, (n, 2) [m]."""
+        return self.read("nodes")
+
+
+def read_series(xdmf):
+    """The frames of an XDMF file and whether its cells are particles."""
+    try:
+        root = ElementTree.parse(xdmf).getroot()
+    except (OSError, ElementTree.ParseError):
+        return [], False
+    frames, particles = [], False
+    for grid in root.iter("Grid"):
+        time = grid.find("Time")
+        item = grid.find("./Geometry/DataItem")
+        topology = grid.find("Topology")
+        if time is None or item is None or topology is None:
+            continue
+        particles = topology.get("TopologyType", "").lower() == "polyvertex"
+        file = xdmf.parent / (item.text or "").strip().split(":")[0]
+        if file.is_file():
+            frames.append(Frame(float(time.get("Value")), file))
+    return frames, particles
+
+
+def read_table(file):
+    """A csv with header "name [unit]" as ({name: array}, {name: unit}).
+
+    A last row that a killed run left incomplete is dropped.
+    """
+    try:
+        with open(file, newline="", encoding="utf-8") as stream:
+            rows = list(csv.reader(stream))
+    except OSError:
+        return {}, {}
+    if not rows:
+        return {}, {}
+    names, units = [], {}
+    for column in rows[0]:
+        match = re.fullmatch(r"\s*(.*?)\s*(?:\[(.*)\])?\s*", column)
+        names.append(match.group(1))
+        units[match.group(1)] = match.group(2) or ""
+    values = []
+    for row in rows[1:]:
+        try:
+            if len(row) == len(names):
+                values.append([float(x) for x in row])
+        except ValueError:
+            continue
+    columns = np.array(values).reshape(-1, len(names)).T
+    return dict(zip(names, columns)), units
+
+
+class Run:
+    """Everything that one run left in its folder."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        if not self.folder.is_dir():
+            raise NoRun(f"There is no folder '{folder}'.")
+        self.notes = []
+        self.summary = self._read_summary()
+        self.history, self.units = read_table(self.folder / "history.csv")
+        self.fragments, _ = read_table(self.folder / "fragments.csv")
+        self.parameters = self._read_text("used.prm")
+        self.bodies, self.plates = {}, []
+        for xdmf in sorted((self.folder / "solution").glob("*.xdmf")):
+            frames, particles = read_series(xdmf)
+            if particles and frames:
+                self.bodies[xdmf.stem] = frames
+            elif frames:
+                self.plates = frames
+        if not self.summary and not self.history:
+            raise NoRun(
+                f"The folder '{folder}' holds neither summary.json nor "
+                "history.csv: no run has left its results there."
+            )
+        self._note_what_is_missing()
+
+    def _read_text(self, name):
+        try:
+            return (self.folder / name).read_text(
+                encoding="utf-8", errors="replace"
+            )
+        except OSError:
+            return ""
+
+    def _read_summary(self):
+        text = self._read_text("summary.json")
+        try:
+            document = json.loads(text) if text else {}
+        except json.JSONDecodeError:
+            self.notes.append("summary.json is not readable.")
+            return {}
+        return document if isinstance(document, dict) else {}
+
+    def _note_what_is_missing(self):
+        if not self.summary:
+            self.notes.append(
+                "summary.json is missing: the run did not come to its end, or "
+                "has not yet."
+            )
+        if not self.history:
+            self.notes.append(
+                "history.csv is missing: there are no curves over time."
+            )
+        if not self.bodies:
+            self.notes.append(
+                "solution/ holds no particle fields: there are no pictures of "
+                "the food."
+            )
+
+    def results(self):
+        """The scalar results, {name: entry with "value" and "unit"}."""
+        return {
+            name: entry
+            for name, entry in self.summary.items()
+            if isinstance(entry, dict)
+            and isinstance(entry.get("value"), (int, float))
+        }
+
+    def value(self, name, default=None):
+        """The value of a scalar result, SI, or the default."""
+        entry = self.results().get(name)
+        return default if entry is None else float(entry["value"])
+
+    def text(self, name, default=""):
+        """A text of the summary, or the default."""
+        texts = self.summary.get("text", {})
+        return texts.get(name, default) if isinstance(texts, dict) else default
+
+    def column(self, name):
+        """A column of the history, or None."""
+        return self.history.get(name)
+
+    def plate_names(self):
+        """The plates whose normal force the history holds."""
+        return [n[len("force_"):] for n in self.history
+                if n.startswith("force_")]
+
+    def at(self, name, time):
+        """A column of the history at a time, or None."""
+        t, y = self.column("time"), self.column(name)
+        if t is None or y is None or len(t) == 0:
+            return None
+        return float(np.interp(time, t, y))
+
+    def mean_force(self):
+        """The mean of the plates' normal forces over time, or None."""
+        names = self.plate_names()
+        if not names:
+            return None
+        return np.mean([self.history["force_" + n] for n in names], axis=0)
+
+    def peak_time(self):
+        """When the mean force was largest [s], or None."""
+        force, t = self.mean_force(), self.column("time")
+        if force is None or t is None or len(t) == 0 or np.max(force) <= 0:
+            return None
+        return float(t[int(np.argmax(force))])
+
+    def food(self):
+        """The frames of the largest particle body, and its name."""
+        if not self.bodies:
+            return [], ""
+
+        def size(name):
+            points = self.bodies[name][0].points()
+            return 0 if points is None else len(points)
+
+        name = max(self.bodies, key=size)
+        return self.bodies[name], name

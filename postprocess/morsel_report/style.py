@@ -1,0 +1,118 @@
+"""Numbers and colours as the whole report shows them."""
+import math
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+from matplotlib.colors import LinearSegmentedColormap
+
+# Okabe and Ito's palette, which colour-blind readers can tell apart.
+BLUE, ORANGE, GREEN, RED = "#0072B2", "#E69F00", "#009E73", "#D55E00"
+SKY, PURPLE, YELLOW, BLACK = "#56B4E9", "#CC79A7", "#F0E442", "#222222"
+INK, QUIET, RULE = "#222222", "#6b6b6b", "#d9d9d9"
+DUST, CRUMB, PLATE = "#b9b9b9", "#8f8f8f", "#4a5560"
+
+# For fragments: neighbours in the list differ in hue and in lightness.
+FRAGMENTS = [
+    "#332288", "#DDCC77", "#117733", "#CC6677", "#88CCEE", "#882255",
+    "#44AA99", "#EE8866", "#0077BB", "#BBCC33", "#AA4499", "#FFAABB",
+    "#666633", "#99DDFF", "#663333", "#EEDD88", "#225555", "#77AADD",
+]
+
+DAMAGE = LinearSegmentedColormap.from_list(
+    "damage", ["#f4ead9", "#e8b26a", "#b4531f", "#4a1405"]
+)
+STRESS = "viridis"
+
+plt.rcParams.update({
+    "font.family": "DejaVu Sans",
+    "font.size": 10,
+    "text.color": INK,
+    "axes.labelcolor": INK,
+    "axes.edgecolor": "#888888",
+    "axes.linewidth": 0.8,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.titlesize": 10.5,
+    "axes.titlelocation": "left",
+    "grid.color": "#e8e8e8",
+    "grid.linewidth": 0.8,
+    "xtick.color": "#555555",
+    "ytick.color": "#555555",
+    "legend.frameon": False,
+    "legend.fontsize": 9,
+    "lines.linewidth": 1.6,
+    "figure.dpi": 100,
+    "savefig.dpi": 180,
+    "savefig.facecolor": "white",
+})
+
+PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M",
+            9: "G", 12: "T"}
+# Units that take a prefix on their first letter.
+PREFIXED = {"N", "Pa", "J", "s", "m", "B", "W", "Hz", "Pa sqrt(m)", "N s",
+            "N/m", "J/m", "J/m^2", "m/s"}
+
+
+def prefix_of(largest, unit):
+    """(factor, prefixed unit) that brings a value to 1 ... 1000."""
+    if unit not in PREFIXED or not largest or not math.isfinite(largest):
+        return 1.0, unit
+    power = 3 * math.floor(math.log10(abs(largest)) / 3 + 1e-9)
+    power = min(max(power, -12), 12)
+    if unit in ("s", "m", "m/s") and power > 0:
+        power = 0  # nobody reads kiloseconds
+    return 10.0 ** -power, PREFIXES[power] + unit
+
+
+def pretty_unit(unit):
+    """A unit for people: m^2 as m², 1/sqrt(mm) with its root sign."""
+    for plain, nice in (("^2", "²"), ("^3", "³"), ("^4", "⁴"),
+                        ("sqrt(mm)", "√mm"), ("sqrt(m)", "√m")):
+        unit = unit.replace(plain, nice)
+    return "" if unit == "1" else unit
+
+
+def digits(value, significant=4):
+    """A number with so many digits, integers whole, in groups of three."""
+    if value == 0:
+        return "0"
+    if float(value).is_integer() and abs(value) < 1e15:
+        return f"{int(value):,}".replace(",", "\u202f")
+    magnitude = math.floor(math.log10(abs(value)))
+    if magnitude >= significant:
+        return f"{value:,.0f}".replace(",", "\u202f")
+    if magnitude < -3:
+        mantissa = f"{value:.{significant - 1}e}".split("e")
+        power = str(int(mantissa[1])).translate(
+            str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+        return f"{mantissa[0]} · 10{power}".replace("-", "−")
+    return f"{value:.{significant - 1 - magnitude}f}".replace("-", "−")
+
+
+def percent(share, significant=3):
+    """A share as a percentage."""
+    value = 100.0 * share
+    if value == 0 or abs(value) >= 0.01:
+        places = 1 if abs(value) >= 10 else 2
+        return f"{value:.{places}f}\u202f%".replace("-", "−")
+    return digits(value, significant) + "\u202f%"
+
+
+def quantity(value, unit, significant=4):
+    """A value in a fitting prefix, with its unit."""
+    factor, prefixed = prefix_of(value, unit)
+    name = pretty_unit(prefixed)
+    number = digits(value * factor, significant)
+    return number + ("\u202f" + name if name else "")
+
+
+def is_share(name, unit):
+    """Whether a dimensionless result reads better in percent."""
+    return unit == "1" and (
+        name.endswith(("_share", "_error", "_strain", "strain_at_peak"))
+        or "_error_" in name or "_over_strain_" in name)

@@ -1,0 +1,52 @@
+#!/usr/bin/python3
+"""Makes OUTPUT_DIR/report.html, and its figures, from what a run left.
+
+Usage: report.py OUTPUT_DIR
+
+Needs numpy, h5py and matplotlib. The page stands alone: no network, no script.
+What a run did not leave is named in the page and left out. Exit status: 0 when
+the report was written, 2 for a folder that is no run's, 4 when it could not be
+written.
+"""
+import argparse
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+
+
+def main(arguments=None):
+    """Parses the command line, writes the report, returns the exit status."""
+    parser = argparse.ArgumentParser(
+        description="Makes OUTPUT_DIR/report.html from what a run left."
+    )
+    parser.add_argument(
+        "output_dir", type=pathlib.Path, help="the run's output folder"
+    )
+    folder = parser.parse_args(arguments).output_dir
+
+    try:
+        from morsel_report import page, reader
+    except ImportError as error:
+        print(
+            f"The report needs a Python package: {error}. On Debian: apt-get "
+            "install python3-numpy python3-h5py python3-matplotlib.",
+            file=sys.stderr,
+        )
+        return 2
+    try:
+        run = reader.Run(folder)
+    except reader.NoRun as error:
+        print(error, file=sys.stderr)
+        return 2
+    try:
+        report = page.write(run)
+    except OSError as error:
+        print(f"Cannot write the report: {error}.", file=sys.stderr)
+        return 4
+    print(report)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,295 @@
+#include "bite.h"
+
+#include <morsel/core/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Morsel
+{
+  namespace
+  {
+    template <typename Bodies>
+    unsigned int
+    index_of(const Bodies &bodies, const std::string &name)
+    {
+      for (unsigned int k = 0; k < bodies.size(); ++k)
+        if (bodies[k].name == name)
+          return k;
+      AssertThrow(false, dealii::ExcInternalError());
+      return 0;
+    }
+
+
+    /// Loaded faces are looked for again after this many steps.
+    constexpr unsigned int steps_between_face_marks = 20;
+  } // namespace
+
+
+  Bite::Bite(const Scene::Scene &scene,
+             const MPI_Comm      communicator,
+             RunLog             &log)
+      : scene(scene)
+      , communicator(communicator)
+      , log(log)
+  {
+    for (const auto &body : scene.particle_bodies)
+      solids.push_back(std::make_unique<SPH::Solid>(body, scene, communicator));
+    for (const auto &body : scene.rigid_bodies)
+      plates.emplace_back(body,
+                          body.node_spacing > 0.
+                              ? body.node_spacing
+                              : 0.5 * scene.particle_bodies.front().spacing);
+    for (const auto &pair : scene.contact_pairs)
+      {
+        const unsigned int s = index_of(scene.particle_bodies, pair.food);
+        pairs.push_back({s,
+                         index_of(scene.rigid_bodies, pair.plate),
+                         Contact::make_plate_contact(
+                             scene.contact, solids[s]->contact_side())});
+      }
+    find_closing_axis();
+
+    dt = stable_time_step();
+    if (scene.time.time_step > 0.)
+      dt = scene.time.time_step;
+  }
+
+
+  double
+  Bite::stable_time_step() const
+  {
+    double smallest = std::numeric_limits<double>::max();
+    for (unsigned int s = 0; s < solids.size(); ++s)
+      {
+        double stiffness = 0.;
+        for (const auto &pair : pairs)
+          if (pair.solid == s)
+            stiffness = std::max(stiffness, pair.contact->stiffness());
+        smallest = std::min(smallest, solids[s]->stable_time_step(stiffness));
+      }
+    return smallest;
+  }
+
+
+  void
+  Bite::find_closing_axis()
+  {
+    double largest = 0.;
+    for (const auto &plate : plates)
+      for (unsigned int d = 0; d < 2; ++d)
+        if (std::abs(plate.body.motion.velocity[d]) > largest)
+          {
+            largest = std::abs(plate.body.motion.velocity[d]);
+            axis    = d;
+          }
+  }
+
+
+  void
+  Bite::evaluate()
+  {
+    for (auto &plate : plates)
+      plate.move_to(now);
+
+    {
+      const auto timer = log.section("strain and forces");
+      for (auto &solid : solids)
+        solid->compute_accelerations(dt);
+    }
+    {
+      const auto timer = log.section("failed food");
+      for (auto &solid : solids)
+        solid->add_grain_forces(dt);
+    }
+    const auto timer = log.section("contact with plates");
+    for (auto &pair : pairs)
+      {
+        SPH::Solid &solid     = *solids[pair.solid];
+        const auto &particles = solid.get_particles();
+        solid.apply_forces(pair.contact->compute(particles.reference,
+                                                 particles.motion,
+                                                 particles.n_owned,
+                                                 dt,
+                                                 plates[pair.plate].surface));
+      }
+    for (auto &plate : plates)
+      plate.account(steps == 0 ? 0.5 * dt : dt);
+    if (steps % steps_between_face_marks == 0)
+      mark_loaded_faces();
+  }
+
+
+  void
+  Bite::mark_loaded_faces()
+  {
+    for (const auto &pair : pairs)
+      {
+        const auto &body = scene.particle_bodies[pair.solid];
+        if (body.damage.enabled)
+          solids[pair.solid]->set_near_face(pair.contact->particles_within(
+              body.damage.face_exclusion * body.spacing,
+              plates[pair.plate].surface));
+      }
+  }
+
+
+  void
+  Bite::advance()
+  {
+    {
+      const auto timer = log.section("damage and broken bonds");
+      for (auto &solid : solids)
+        solid->grow_damage(dt);
+    }
+    {
+      const auto timer = log.section("strain and forces");
+      for (auto &solid : solids)
+        solid->advance(dt);
+    }
+    const auto timer = log.section("failed food");
+    for (auto &solid : solids)
+      solid->advance_grains(dt);
+    now = ++steps * dt;
+  }
+
+
+  double
+  Bite::closure() const
+  {
+    // Plates below the food close upwards, plates above it downwards.
+    if (solids.empty())
+      return 0.;
+    const auto  &shape = scene.particle_bodies.front().shape;
+    const double middle =
+        0.5 * (shape.lower_corner[axis] + shape.upper_corner[axis]);
+    double sum = 0.;
+    for (const auto &plate : plates)
+      {
+        const double centre = 0.5 * (plate.body.shape.lower_corner[axis] +
+                                     plate.body.shape.upper_corner[axis]);
+        sum += (centre < middle ? 1. : -1.) * plate.displacement()[axis];
+      }
+    return sum;
+  }
+
+
+  double
+  Bite::normal_force(const unsigned int plate) const
+  {
+    return dealii::Utilities::MPI::sum(std::abs(plates[plate].force()[axis]),
+                                       communicator);
+  }
+
+
+  double
+  Bite::tangential_force(const unsigned int plate) const
+  {
+    return std::abs(dealii::Utilities::MPI::sum(plates[plate].force()[1 - axis],
+                                                communicator));
+  }
+
+
+  Measure::Energies
+  Bite::energies() const
+  {
+    Measure::Energies e;
+    for (const auto &solid : solids)
+      {
+        const auto s = solid->energies(dt);
+        e.strain += s.strain;
+        e.hourglass += s.hourglass;
+        e.kinetic += s.kinetic;
+        e.granular += s.granular;
+        e.dissipated_viscosity += s.viscous_heat;
+        e.dissipated_damage += s.damage_heat;
+        e.dissipated_bonds += s.bond_heat;
+        e.dissipated_granular_friction += s.friction_heat;
+      }
+    double contact[3] = {0., 0., 0.};
+    for (const auto &pair : pairs)
+      {
+        contact[0] += pair.contact->stored_energy();
+        contact[1] += pair.contact->friction_heat();
+      }
+    for (const auto &plate : plates)
+      contact[2] += plate.work();
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(contact, 3),
+                                communicator,
+                                dealii::ArrayView<double>(contact, 3));
+    e.contact             = contact[0];
+    e.dissipated_friction = contact[1];
+    e.external_work       = contact[2];
+    return e;
+  }
+
+
+  dealii::Tensor<1, 2>
+  Bite::momentum() const
+  {
+    dealii::Tensor<1, 2> sum;
+    for (const auto &solid : solids)
+      {
+        const Vector2 p = solid->momentum();
+        sum[0] += p.x;
+        sum[1] += p.y;
+      }
+    return sum;
+  }
+
+
+  std::vector<dealii::Tensor<1, 2>>
+  Bite::impulses() const
+  {
+    std::vector<dealii::Tensor<1, 2>> list;
+    for (const auto &plate : plates)
+      list.push_back(
+          dealii::Utilities::MPI::sum(plate.impulse(), communicator));
+    return list;
+  }
+
+
+  double
+  Bite::deepest_penetration() const
+  {
+    double deepest = 0.;
+    for (const auto &pair : pairs)
+      deepest = std::max(deepest, pair.contact->deepest_penetration());
+    return dealii::Utilities::MPI::max(deepest, communicator);
+  }
+
+
+  void
+  Bite::check_finite() const
+  {
+    for (unsigned int s = 0; s < solids.size(); ++s)
+      {
+        const long i = solids[s]->first_not_finite();
+        if (dealii::Utilities::MPI::max(i, communicator) < 0)
+          continue;
+        std::ostringstream text;
+        text << "The motion of body '" << scene.particle_bodies[s].name
+             << "' is not finite any more";
+        if (i >= 0)
+          text << ": particle " << solids[s]->get_particles().id[i] << " at ("
+               << solids[s]->get_particles().reference[i] << ") m";
+        text << ", at time " << now << " s, step " << steps
+             << ". The time step (" << dt
+             << " s) is the likely cause: leave 'Time/Time step' at 0 or lower "
+                "'Body "
+             << scene.particle_bodies[s].name << "/Solid/CFL factor'.";
+        throw NumericalError(text.str());
+      }
+  }
+
+
+  unsigned long long
+  Bite::particle_count() const
+  {
+    unsigned long long count = 0;
+    for (const auto &solid : solids)
+      count += solid->get_host().n_global();
+    return count;
+  }
+} // namespace Morsel

@@ -1,0 +1,140 @@
+#ifndef morsel_source_bite_h
+#define morsel_source_bite_h
+
+#include <morsel/contact/plate_contact.h>
+#include <morsel/core/log.h>
+#include <morsel/jaw/rigid_plate.h>
+#include <morsel/measure/energy_ledger.h>
+#include <morsel/scene/scene.h>
+#include <morsel/sph/solid.h>
+
+#include <memory>
+#include <vector>
+
+namespace Morsel
+{
+  /// The mechanical system of a scene: particle bodies, plates and the
+  /// contacts between them, and one step of it.
+  class Bite
+  {
+  public:
+    Bite(const Scene::Scene &scene, MPI_Comm communicator, RunLog &log);
+
+    /// Forces, contact and accounts at the present positions.
+    void
+    evaluate();
+
+    /// Damage growth, then everything moves on to the next time.
+    void
+    advance();
+
+    double
+    time() const
+    {
+      return now;
+    }
+
+    double
+    time_step() const
+    {
+      return dt;
+    }
+
+    unsigned long long
+    step() const
+    {
+      return steps;
+    }
+
+    /// How far the plates have approached each other along the closing
+    /// direction [m].
+    double
+    closure() const;
+
+    /// Force of the food on a plate along the closing direction, positive in
+    /// compression, and across it [N]; the same on all ranks.
+    double
+    normal_force(unsigned int plate) const;
+
+    double
+    tangential_force(unsigned int plate) const;
+
+    /// Everything in joules at the last evaluate().
+    Measure::Energies
+    energies() const;
+
+    dealii::Tensor<1, 2>
+    momentum() const;
+
+    /// Impulses of the plates [N s].
+    std::vector<dealii::Tensor<1, 2>>
+    impulses() const;
+
+    double
+    deepest_penetration() const;
+
+    /// @throws NumericalError naming the first particle that is not finite.
+    void
+    check_finite() const;
+
+    const SPH::Solid &
+    food() const
+    {
+      return *solids.front();
+    }
+
+    const std::vector<std::unique_ptr<SPH::Solid>> &
+    get_solids() const
+    {
+      return solids;
+    }
+
+    const std::vector<Jaw::RigidPlate> &
+    get_plates() const
+    {
+      return plates;
+    }
+
+    /// 0 = x, 1 = y: along which the plates close.
+    unsigned int
+    closing_axis() const
+    {
+      return axis;
+    }
+
+    /// Total of the bodies' particles over all ranks.
+    unsigned long long
+    particle_count() const;
+
+  private:
+    struct Pair
+    {
+      unsigned int                           solid, plate;
+      std::unique_ptr<Contact::PlateContact> contact;
+    };
+
+    void
+    find_closing_axis();
+
+    void
+    mark_loaded_faces();
+
+    double
+    stable_time_step() const;
+
+    const Scene::Scene &scene;
+    const MPI_Comm      communicator;
+    RunLog             &log;
+
+    std::vector<std::unique_ptr<SPH::Solid>> solids;
+    std::vector<Jaw::RigidPlate>             plates;
+    std::vector<Pair>                        pairs;
+
+    unsigned int       axis  = 1;
+    double             dt    = 0.;
+    double             now   = 0.;
+    unsigned long long steps = 0;
+  };
+} // namespace Morsel
+
+#endif

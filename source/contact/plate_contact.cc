@@ -1,0 +1,284 @@
+#include <morsel/contact/plate_contact.h>
+#include <morsel/core/kernel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Morsel::Contact
+{
+  namespace
+  {
+    /// The search reaches this many spacings beyond the range.
+    constexpr double margin_in_spacings = 3.;
+
+
+    /// Pressure from the gap between a particle, half a spacing in radius,
+    /// and the nearest facet: f = k (-gap) along the facet's normal, k =
+    /// stiffness (lambda + 2 mu) times the depth.
+    class GapPenalty : public PlateContact
+    {
+    public:
+      GapPenalty(const ContactParameters &parameters, const ParticleSide &side)
+          : PlateContact(parameters, side, 0.5 * side.spacing)
+          , k(parameters.stiffness * side.p_wave_modulus * side.depth)
+      {}
+
+      double
+      stiffness() const override
+      {
+        return k;
+      }
+
+    protected:
+      dealii::Tensor<1, 2>
+      press(const dealii::Point<2>     &x,
+            const dealii::Tensor<1, 2> &v,
+            const Candidate            &candidate,
+            const double                time_step,
+            Surface                    &surface) override
+      {
+        Projection   nearest{};
+        unsigned int facet = 0;
+        double       best  = std::numeric_limits<double>::max();
+        for (unsigned int c = candidate.first; c < candidate.last; ++c)
+          {
+            const auto p = project(surface, facets_near[c], x);
+            if (std::abs(p.distance) < best)
+              {
+                nearest = p;
+                best    = std::abs(p.distance);
+                facet   = facets_near[c];
+              }
+          }
+        const double gap = nearest.distance - range;
+        if (gap >= 0.)
+          return {};
+
+        const auto [first, second] = surface.facets[facet];
+        const double t             = nearest.parameter;
+        const auto   v_surface =
+            (1. - t) * surface.velocity[first] + t * surface.velocity[second];
+        const auto v_relative = v - v_surface;
+        const auto slip =
+            v_relative - (v_relative * nearest.normal) * nearest.normal;
+        const auto f =
+            -k * gap * nearest.normal + friction(-k * gap, slip, time_step);
+        surface.force[first] -= (1. - t) * f;
+        surface.force[second] -= t * f;
+        energy += 0.5 * k * gap * gap;
+        penetration = std::max(penetration, -gap);
+        return f;
+      }
+
+    private:
+      const double k; ///< [N/m]
+    };
+
+
+    /// The thesis's potential (T4-1 to T4-3, sign corrected) between a
+    /// particle and the nodes of the surface: areas times depth stand for
+    /// the volumes, K = kappa E / dp^2.
+    class NodePotential : public PlateContact
+    {
+    public:
+      NodePotential(const ContactParameters &parameters,
+                    const ParticleSide      &side)
+          : PlateContact(parameters, side, 1.5 * side.spacing)
+          , kernel(KernelKind::cubic_b_spline, side.smoothing_length)
+          , at_spacing(kernel.value(side.spacing))
+          , scale(parameters.potential_kappa * side.youngs_modulus *
+                  side.depth * side.spacing)
+          , n(parameters.potential_exponent)
+          , at_range(std::pow(kernel.value(range) / at_spacing, n))
+      {}
+
+      double
+      stiffness() const override
+      {
+        // Curvature of the potential at one spacing, nodes half a spacing
+        // apart: about n^2 (W'/W)^2 phi per node, over three nodes.
+        const double slope =
+            side.spacing * kernel.gradient_weight(side.spacing) / at_spacing;
+        return 3. * scale * 0.5 * side.spacing * n * n * slope * slope;
+      }
+
+    protected:
+      dealii::Tensor<1, 2>
+      press(const dealii::Point<2>     &x,
+            const dealii::Tensor<1, 2> &v,
+            const Candidate            &candidate,
+            const double                time_step,
+            Surface                    &surface) override
+      {
+        dealii::Tensor<1, 2> sum;
+        for (unsigned int c = candidate.first; c < candidate.last; ++c)
+          {
+            // Each node is the first of one facet of a closed surface.
+            const unsigned int j    = surface.facets[facets_near[c]].first;
+            const auto         away = x - surface.nodes[j];
+            const double       r    = away.norm();
+            if (r >= range || r == 0.)
+              continue;
+            const double ratio = kernel.value(r) / at_spacing;
+            const double power = std::pow(ratio, n);
+            const double phi   = scale * surface.tributary[j];
+            const auto   f     = phi * n * power / kernel.value(r) *
+                           kernel.gradient_weight(r) * away;
+            const auto v_relative = v - surface.velocity[j];
+            const auto normal     = away / r;
+            const auto total =
+                f + friction(f.norm(),
+                             v_relative - (v_relative * normal) * normal,
+                             time_step);
+            sum += total;
+            surface.force[j] -= total;
+            energy += phi * (power - at_range);
+            penetration = std::max(penetration, 0.5 * side.spacing - r);
+          }
+        return sum;
+      }
+
+    private:
+      const Kernel kernel;
+      const double at_spacing; ///< W(dp) [1/m^2]
+      const double scale;      ///< V_i K per length of surface [J/m]
+      const double n;
+      const double at_range; ///< (W(range)/W(dp))^n, where the force ends
+    };
+  } // namespace
+
+
+  PlateContact::PlateContact(const ContactParameters &parameters,
+                             const ParticleSide      &side,
+                             const double             range)
+      : parameters(parameters)
+      , side(side)
+      , range(range)
+      , margin(margin_in_spacings * side.spacing)
+  {}
+
+
+  const std::vector<ParticleForce> &
+  PlateContact::compute(const std::vector<dealii::Point<2>> &reference,
+                        const std::vector<Motion>           &motion,
+                        const unsigned int                   n_owned,
+                        const double                         time_step,
+                        Surface                             &surface)
+  {
+    position.resize(n_owned);
+    for (unsigned int i = 0; i < n_owned; ++i)
+      position[i] = {reference[i][0] + motion[i].u_x,
+                     reference[i][1] + motion[i].u_y};
+    if (search_is_due(position, surface))
+      search(position, surface);
+
+    energy = penetration = 0.;
+    forces.clear();
+    for (const auto &c : candidates)
+      {
+        const Motion &m = motion[c.particle];
+        const auto    f = press(position[c.particle],
+                             dealii::Tensor<1, 2>({m.v_x, m.v_y}),
+                             c,
+                             time_step,
+                             surface);
+        if (f[0] != 0. || f[1] != 0.)
+          forces.push_back({c.particle, f});
+      }
+    return forces;
+  }
+
+
+  std::vector<unsigned int>
+  PlateContact::particles_within(const double   distance,
+                                 const Surface &surface) const
+  {
+    std::vector<unsigned int> list;
+    for (const auto &c : candidates)
+      for (unsigned int f = c.first; f < c.last; ++f)
+        if (std::abs(project(surface, facets_near[f], position[c.particle])
+                         .distance) <= distance)
+          {
+            list.push_back(c.particle);
+            break;
+          }
+    return list;
+  }
+
+
+  bool
+  PlateContact::search_is_due(const std::vector<dealii::Point<2>> &x,
+                              const Surface &surface) const
+  {
+    if (searched_at.size() != x.size())
+      return true;
+    const double limit = 0.25 * margin * margin;
+    for (unsigned int k = 0; k < surface.nodes.size(); ++k)
+      if ((surface.nodes[k] - searched_nodes[k]).norm_square() > limit)
+        return true;
+    for (unsigned int i = 0; i < x.size(); ++i)
+      if ((x[i] - searched_at[i]).norm_square() > limit)
+        return true;
+    return false;
+  }
+
+
+  void
+  PlateContact::search(const std::vector<dealii::Point<2>> &x,
+                       const Surface                       &surface)
+  {
+    searched_at    = x;
+    searched_nodes = surface.nodes;
+    candidates.clear();
+    facets_near.clear();
+
+    // Bounding box first: most particles are far from the surface.
+    const double     reach = range + margin;
+    dealii::Point<2> lower = surface.nodes[0], upper = surface.nodes[0];
+    for (const auto &node : surface.nodes)
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          lower[d] = std::min(lower[d], node[d]);
+          upper[d] = std::max(upper[d], node[d]);
+        }
+    for (unsigned int i = 0; i < x.size(); ++i)
+      {
+        if (x[i][0] < lower[0] - reach || x[i][0] > upper[0] + reach ||
+            x[i][1] < lower[1] - reach || x[i][1] > upper[1] + reach)
+          continue;
+        const unsigned int first = facets_near.size();
+        for (unsigned int f = 0; f < surface.facets.size(); ++f)
+          if (std::abs(project(surface, f, x[i]).distance) < reach)
+            facets_near.push_back(f);
+        if (facets_near.size() > first)
+          candidates.push_back(
+              {i, first, static_cast<unsigned int>(facets_near.size())});
+      }
+  }
+
+
+  dealii::Tensor<1, 2>
+  PlateContact::friction(const double                normal_force,
+                         const dealii::Tensor<1, 2> &slip,
+                         const double                time_step)
+  {
+    const double speed = slip.norm();
+    if (parameters.friction == 0. || speed == 0.)
+      return {};
+    const double size = std::min(parameters.friction * normal_force,
+                                 0.5 * side.mass * speed / time_step);
+    heat += size * speed * time_step;
+    return -size / speed * slip;
+  }
+
+
+  std::unique_ptr<PlateContact>
+  make_plate_contact(const ContactParameters &parameters,
+                     const ParticleSide      &side)
+  {
+    if (parameters.law == "potential")
+      return std::make_unique<NodePotential>(parameters, side);
+    return std::make_unique<GapPenalty>(parameters, side);
+  }
+} // namespace Morsel::Contact

@@ -1,0 +1,77 @@
+#include <morsel/contact/surface.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Morsel::Contact
+{
+  dealii::Tensor<1, 2>
+  Surface::total_force() const
+  {
+    dealii::Tensor<1, 2> sum;
+    for (const auto &f : force)
+      sum += f;
+    return sum;
+  }
+
+
+  Surface
+  rectangle_surface(const std::string      &name,
+                    const dealii::Point<2> &lower,
+                    const dealii::Point<2> &upper,
+                    const double            node_spacing)
+  {
+    Surface                s;
+    const dealii::Point<2> corners[4] = {
+        lower, {upper[0], lower[1]}, upper, {lower[0], upper[1]}};
+    s.name = name;
+    for (unsigned int e = 0; e < 4; ++e)
+      {
+        const auto         edge = corners[(e + 1) % 4] - corners[e];
+        const unsigned int n =
+            std::max(1., std::ceil(edge.norm() / node_spacing - 1e-9));
+        for (unsigned int k = 0; k < n; ++k)
+          s.nodes.push_back(corners[e] + edge * (static_cast<double>(k) / n));
+      }
+
+    const unsigned int n = s.nodes.size();
+    s.tributary.assign(n, 0.);
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const unsigned int l    = (k + 1) % n;
+        const double       half = 0.5 * s.nodes[k].distance(s.nodes[l]);
+        s.facets.emplace_back(k, l);
+        s.tributary[k] += half;
+        s.tributary[l] += half;
+      }
+    s.velocity.resize(n);
+    s.force.resize(n);
+    return s;
+  }
+
+
+  Projection
+  project(const Surface          &surface,
+          const unsigned int      facet,
+          const dealii::Point<2> &x)
+  {
+    const auto [first, second]        = surface.facets[facet];
+    const auto                 a      = surface.nodes[first];
+    const auto                 edge   = surface.nodes[second] - a;
+    const double               length = edge.norm();
+    const dealii::Tensor<1, 2> outward({edge[1] / length, -edge[0] / length});
+
+    Projection   p;
+    const double t    = (x - a) * edge / (length * length);
+    p.interior        = t >= 0. && t <= 1.;
+    p.parameter       = std::clamp(t, 0., 1.);
+    const auto   away = x - (a + p.parameter * edge);
+    const double side = away * outward;
+    const double norm = away.norm();
+    p.distance        = side < 0. ? -norm : norm;
+    // Past an end of the facet the point is pushed away from the corner.
+    p.normal = (p.interior || norm == 0.) ? outward
+                                          : away / (side < 0. ? -norm : norm);
+    return p;
+  }
+} // namespace Morsel::Contact

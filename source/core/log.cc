@@ -1,0 +1,209 @@
+#include <morsel/core/errors.h>
+#include <morsel/core/log.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+
+#include <unistd.h>
+
+namespace Morsel
+{
+  namespace
+  {
+    double
+    seconds_between(const std::chrono::steady_clock::time_point begin,
+                    const std::chrono::steady_clock::time_point end)
+    {
+      return std::chrono::duration<double>(end - begin).count();
+    }
+
+
+    template <typename... Values>
+    std::string
+    formatted(const char *format, const Values... values)
+    {
+      char text[256];
+      std::snprintf(text, sizeof(text), format, values...);
+      return text;
+    }
+
+
+    /// "4.2 s", "3:05 min" or "2:10 h".
+    std::string
+    duration_text(const double seconds)
+    {
+      if (!(seconds < 1e7))
+        return "long";
+      if (seconds < 60.)
+        return formatted("%.1f s", seconds);
+      const long whole = std::lround(seconds);
+      if (whole < 3600)
+        return formatted("%ld:%02ld min", whole / 60, whole % 60);
+      return formatted("%ld:%02ld h", whole / 3600, whole / 60 % 60);
+    }
+  } // namespace
+
+
+  RunLog::RunLog(const std::string &file_name,
+                 const bool         quiet,
+                 const bool         active)
+      : to_terminal(active && !quiet)
+      , active(active)
+      , live_line_allowed(to_terminal && isatty(STDOUT_FILENO) != 0)
+      , begin(Clock::now())
+      , progress_begin(begin)
+      , last_shown(begin)
+  {
+    if (!active || file_name.empty())
+      return;
+    file.open(file_name);
+    if (!file)
+      throw FileError("The log '" + file_name +
+                      "' cannot be opened for writing.");
+  }
+
+
+  RunLog::~RunLog()
+  {
+    end_progress();
+  }
+
+
+  RunLog &
+  RunLog::operator<<(std::ostream &(*manipulator)(std::ostream &))
+  {
+    std::ostringstream text;
+    text << manipulator;
+    write(text.str());
+    file.flush();
+    if (to_terminal)
+      std::cout.flush();
+    return *this;
+  }
+
+
+  void
+  RunLog::write(const std::string &text)
+  {
+    if (!active)
+      return;
+    if (live_line_shown)
+      {
+        std::cout << "\r\033[K";
+        live_line_shown = false;
+      }
+    if (file.is_open())
+      file << text;
+    if (to_terminal)
+      std::cout << text;
+  }
+
+
+  void
+  RunLog::warning(const std::string &text)
+  {
+    *this << "Advice: " << text << std::endl;
+  }
+
+
+  void
+  RunLog::progress(const double             fraction,
+                   const double             time,
+                   const unsigned long long step)
+  {
+    if (!active)
+      return;
+    const Clock::time_point now   = Clock::now();
+    const int               tenth = static_cast<int>(
+        10. *
+        std::min(1., std::max(0., std::isfinite(fraction) ? fraction : 0.)));
+    const bool to_log = tenth > last_tenth;
+    const bool live =
+        live_line_allowed && seconds_between(last_shown, now) > 0.2;
+    if (!to_log && !live)
+      return;
+
+    const double elapsed = seconds_between(progress_begin, now);
+    std::string  text    = formatted("%3.0f %%  t = %.4g ms  step %llu",
+                                 100. * std::min(1., fraction),
+                                 1e3 * time,
+                                 step);
+    if (elapsed > 0. && step > 0)
+      text += formatted("  %.0f steps/s", step / elapsed);
+    if (fraction > 1e-4 && fraction < 1.)
+      text +=
+          "  " + duration_text(elapsed / fraction * (1. - fraction)) + " left";
+
+    if (to_log)
+      {
+        last_tenth = tenth;
+        if (live_line_allowed)
+          file << text << std::endl;
+        else
+          *this << text << std::endl;
+      }
+    if (live)
+      {
+        std::cout << "\r" << text << "\033[K" << std::flush;
+        live_line_shown = true;
+        last_shown      = now;
+      }
+  }
+
+
+  void
+  RunLog::end_progress()
+  {
+    if (live_line_shown)
+      std::cout << "\r\033[K" << std::flush;
+    live_line_shown = false;
+    last_tenth      = -1;
+    progress_begin  = Clock::now();
+  }
+
+
+  double &
+  RunLog::seconds_of(const char *name)
+  {
+    for (Part &part : parts)
+      if (part.name == name || std::strcmp(part.name, name) == 0)
+        return part.seconds;
+    parts.push_back({name, 0.});
+    return parts.back().seconds;
+  }
+
+
+  std::vector<std::pair<std::string, double>>
+  RunLog::wall_times() const
+  {
+    std::vector<std::pair<std::string, double>> result;
+    for (const Part &part : parts)
+      result.emplace_back(part.name, part.seconds);
+    return result;
+  }
+
+
+  double
+  RunLog::wall_time() const
+  {
+    return seconds_between(begin, Clock::now());
+  }
+
+
+  void
+  RunLog::print_wall_times()
+  {
+    const double whole = wall_time();
+    *this << formatted("%-28s %10s %8s\n", "Wall time", "s", "share");
+    for (const Part &part : parts)
+      *this << formatted("%-28s %10.3f %6.1f %%\n",
+                         part.name,
+                         part.seconds,
+                         whole > 0. ? 100. * part.seconds / whole : 0.);
+    *this << formatted("%-28s %10.3f %6.1f %%\n", "whole run", whole, 100.)
+          << std::flush;
+  }
+} // namespace Morsel

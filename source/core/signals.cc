@@ -1,0 +1,36 @@
+#include <morsel/core/signals.h>
+
+#include <csignal>
+
+namespace Morsel
+{
+  namespace
+  {
+    volatile std::sig_atomic_t signal_arrived = 0;
+
+    extern "C" void
+    note_signal(int)
+    {
+      signal_arrived = 1;
+    }
+  } // namespace
+
+
+  void
+  catch_signals()
+  {
+    struct sigaction action = {};
+    action.sa_handler       = note_signal;
+    // SA_RESETHAND gives the second signal its usual, deadly effect.
+    action.sa_flags = SA_RESETHAND | SA_RESTART;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+  }
+
+
+  bool
+  interrupt_requested()
+  {
+    return signal_arrived != 0;
+  }
+} // namespace Morsel

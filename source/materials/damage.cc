@@ -1,0 +1,185 @@
+#include <morsel/core/errors.h>
+#include <morsel/materials/damage.h>
+
+#include <cstdint>
+
+namespace Morsel::Materials
+{
+  namespace
+  {
+    constexpr double pi = 3.14159265358979323846;
+
+    Driver
+    driver_named(const std::string &name)
+    {
+      return name == "tensile stress"     ? Driver::tensile_stress
+             : name == "extension strain" ? Driver::extension_strain
+                                          : Driver::modified_von_mises;
+    }
+  } // namespace
+
+
+  DamageLaw::DamageLaw(const DamageParameters &parameters,
+                       const Elasticity       &elasticity,
+                       const double            strength,
+                       const double            particle_volume)
+      : driver(driver_named(parameters.driver))
+      , growth(parameters.growth == "Grady-Kipp" ? Growth::grady_kipp
+                                                 : Growth::linear_softening)
+      , softening(parameters.softening == "deviator"
+                      ? Softening::deviator
+                      : Softening::tensile_principal)
+      , compressive_strength(strength)
+      , tensile_strength(strength / parameters.strength_ratio)
+      , softening_range(parameters.softening_range)
+      , weibull_modulus(parameters.weibull_modulus)
+  {
+    const double nu = elasticity.poissons_ratio;
+    if (driver == Driver::extension_strain && nu <= 0.)
+      throw InputError(
+          "Damage/Driver 'extension strain' needs a Poisson's ratio above 0: "
+          "at 0 a compressed block does not extend sideways.");
+
+    // Uniform thresholds have no scatter to make good for: b = 1.
+    const double b  = parameters.flaws == "uniform"
+                          ? 1.
+                          : bundle_peak(weibull_modulus, softening_range);
+    threshold_scale = parameters.threshold_factor / b;
+
+    // Modified von Mises, exact for uniaxial stress in plane strain.
+    const double A = 1. - nu + nu * nu;
+    von_mises_P    = A * compressive_strength * tensile_strength;
+    von_mises_d    = A * (compressive_strength - tensile_strength) / (1. + nu);
+
+    // Lateral strain nu (1 + nu) f_c / E at the compressive strength.
+    extension_scale = nu > 0. ? elasticity.youngs_modulus /
+                                    (nu * (1. + nu) * compressive_strength)
+                              : 0.;
+
+    // alpha^(1/3) of T3-54 with k eps^m = (s / r0)^m / V.
+    const double m           = weibull_modulus;
+    const double crack_speed = 0.4 * elasticity.wave_speed;
+    growth_rate =
+        (m + 3.) / 3. * crack_speed *
+        std::cbrt(8. * pi / ((m + 1.) * (m + 2.) * (m + 3.) * particle_volume));
+  }
+
+
+  PlaneStrainStress
+  soften(const Softening softening, const ElasticResponse &r, const double D)
+  {
+    const double keep = 1. - D;
+    if (softening == Softening::deviator)
+      {
+        const double mean = r.mean < 0. ? r.mean : keep * r.mean;
+        return {keep * r.deviator.xx + mean,
+                keep * r.deviator.yy + mean,
+                keep * r.deviator.xy,
+                keep * r.deviator.zz + mean};
+      }
+
+    PlaneStrainStress sigma  = {r.deviator.xx + r.mean,
+                                r.deviator.yy + r.mean,
+                                r.deviator.xy,
+                                r.deviator.zz + r.mean};
+    const double      centre = 0.5 * (sigma.xx + sigma.yy);
+    const double      half   = 0.5 * (sigma.xx - sigma.yy);
+    const double      radius = std::sqrt(half * half + sigma.xy * sigma.xy);
+    const double      s1 = centre + radius, s2 = centre - radius;
+    const double      t1   = s1 > 0. ? keep * s1 : s1;
+    const double      t2   = s2 > 0. ? keep * s2 : s2;
+    const double      c2   = radius > 0. ? half / radius : 1.; // cos 2 theta
+    const double      s_2  = radius > 0. ? sigma.xy / radius : 0.;
+    const double      mean = 0.5 * (t1 + t2), amplitude = 0.5 * (t1 - t2);
+    return {mean + amplitude * c2,
+            mean - amplitude * c2,
+            amplitude * s_2,
+            sigma.zz > 0. ? keep * sigma.zz : sigma.zz};
+  }
+
+
+  double
+  stored_energy(const Softening        softening,
+                const Elasticity      &elasticity,
+                const ElasticResponse &r,
+                const double           D)
+  {
+    const double keep = 1. - D;
+    if (softening == Softening::deviator)
+      return keep * r.deviatoric_energy +
+             (r.jacobian < 1. ? 1. : keep) * r.volumetric_energy;
+
+    // No potential belongs to this softening: the recoverable energy of the
+    // softened stress, linear in the undamaged strain, stands for it.
+    const PlaneStrainStress s  = soften(softening, r, D);
+    const double            g  = 1. / (2. * elasticity.mu);
+    const double            ev = r.mean / (3. * elasticity.bulk);
+    return 0.5 *
+           (s.xx * (g * r.deviator.xx + ev) + s.yy * (g * r.deviator.yy + ev) +
+            2. * s.xy * g * r.deviator.xy + s.zz * (g * r.deviator.zz + ev));
+  }
+
+
+  double
+  bundle_peak(const double m, const double range)
+  {
+    // Mean stress at bundle strain e: integral over the thresholds w of
+    // (1 - D(e, w)) e with Weibull density, by the midpoint rule in
+    // probability.
+    const auto mean_stress_at = [&](const double e) {
+      constexpr int n   = 2000;
+      double        sum = 0.;
+      for (int k = 0; k < n; ++k)
+        {
+          const double w = std::pow(-std::log1p(-(k + 0.5) / n), 1. / m);
+          sum += (1. - linear_softening_damage(e, w, range)) * e;
+        }
+      return sum / n;
+    };
+
+    // Golden section on the single maximum; thresholds are of order one.
+    const double golden = 0.5 * (std::sqrt(5.) - 1.);
+    double       a = 0.02, b = 3.;
+    double       x1 = b - golden * (b - a), x2 = a + golden * (b - a);
+    double       f1 = mean_stress_at(x1), f2 = mean_stress_at(x2);
+    for (int k = 0; k < 60; ++k)
+      if (f1 < f2)
+        {
+          a  = x1;
+          x1 = x2;
+          f1 = f2;
+          x2 = a + golden * (b - a);
+          f2 = mean_stress_at(x2);
+        }
+      else
+        {
+          b  = x2;
+          x2 = x1;
+          f2 = f1;
+          x1 = b - golden * (b - a);
+          f1 = mean_stress_at(x1);
+        }
+    return std::max(f1, f2);
+  }
+
+
+  double
+  weibull_threshold(const double             m,
+                    const unsigned int       seed,
+                    const unsigned long long index)
+  {
+    // splitmix64 as a counter-based generator: no state, no order.
+    std::uint64_t z =
+        index + 0x9e3779b97f4a7c15ULL * (static_cast<std::uint64_t>(seed) + 1);
+    for (int round = 0; round < 2; ++round)
+      {
+        z += 0x9e3779b97f4a7c15ULL;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+        z ^= z >> 31;
+      }
+    const double uniform =
+        (static_cast<double>(z >> 11) + 0.5) / 9007199254740992.;
+    return std::pow(-std::log(uniform), 1. / m);
+  }
+} // namespace Morsel::Materials

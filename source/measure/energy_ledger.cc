@@ -1,0 +1,128 @@
+#include <morsel/measure/energy_ledger.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Morsel::Measure
+{
+  double
+  Energies::stored() const
+  {
+    return strain + hourglass + kinetic + contact + granular;
+  }
+
+
+  double
+  Energies::dissipated() const
+  {
+    return dissipated_viscosity + dissipated_damage + dissipated_bonds +
+           dissipated_friction + dissipated_granular_friction;
+  }
+
+
+  double
+  Energies::largest_term() const
+  {
+    return std::max({std::abs(strain),
+                     std::abs(hourglass),
+                     std::abs(kinetic),
+                     std::abs(contact),
+                     std::abs(granular),
+                     std::abs(external_work),
+                     std::abs(dissipated_viscosity),
+                     std::abs(dissipated_damage),
+                     std::abs(dissipated_bonds),
+                     std::abs(dissipated_friction),
+                     std::abs(dissipated_granular_friction)});
+  }
+
+
+  EnergyLedger::EnergyLedger(const Energies &initial)
+      : initial(initial.stored())
+      , largest(initial.largest_term())
+      , last_sample(initial)
+  {}
+
+
+  double
+  EnergyLedger::record(const Energies &energies, const double force)
+  {
+    last_sample      = energies;
+    largest          = std::max(largest, energies.largest_term());
+    const double gap = energies.external_work + initial - energies.stored() -
+                       energies.dissipated();
+    error_last = largest > 0. ? std::abs(gap) / largest : 0.;
+    worst_gap  = std::max(worst_gap, std::abs(gap));
+    if (force > peak_force)
+      {
+        peak_force = force;
+        error_peak = error_last;
+      }
+    return error_last;
+  }
+
+
+  double
+  EnergyLedger::error_at_peak() const
+  {
+    return error_peak;
+  }
+
+
+  double
+  EnergyLedger::error_at_end() const
+  {
+    return error_last;
+  }
+
+
+  double
+  EnergyLedger::largest_error() const
+  {
+    return largest > 0. ? worst_gap / largest : 0.;
+  }
+
+
+  const Energies &
+  EnergyLedger::last() const
+  {
+    return last_sample;
+  }
+
+
+  MomentumLedger::MomentumLedger(const dealii::Tensor<1, 2> &initial)
+      : initial(initial)
+      , largest(initial.norm())
+  {}
+
+
+  double
+  MomentumLedger::record(const dealii::Tensor<1, 2>              &momentum,
+                         const std::vector<dealii::Tensor<1, 2>> &impulses)
+  {
+    dealii::Tensor<1, 2> unexplained = momentum - initial;
+    largest                          = std::max(largest, momentum.norm());
+    for (const auto &impulse : impulses)
+      {
+        unexplained -= impulse;
+        largest = std::max(largest, impulse.norm());
+      }
+    error_last  = largest > 0. ? unexplained.norm() / largest : 0.;
+    error_worst = std::max(error_worst, error_last);
+    return error_last;
+  }
+
+
+  double
+  MomentumLedger::error() const
+  {
+    return error_last;
+  }
+
+
+  double
+  MomentumLedger::largest_error() const
+  {
+    return error_worst;
+  }
+} // namespace Morsel::Measure

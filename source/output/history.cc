@@ -1,0 +1,96 @@
+#include <morsel/core/errors.h>
+#include <morsel/output/atomic_file.h>
+#include <morsel/output/history.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+namespace Morsel::Output
+{
+  namespace
+  {
+    /// Twelve digits: beyond what a measurement means, and rows stay short.
+    constexpr int digits = 12;
+
+
+    std::string
+    header(const std::vector<std::string> &columns)
+    {
+      std::string line;
+      for (const auto &column : columns)
+        {
+          Assert(column.find(',') == std::string::npos,
+                 dealii::ExcMessage("A column's name holds a comma."));
+          line += (line.empty() ? "" : ",") + column;
+        }
+      return line + "\n";
+    }
+
+
+    std::string
+    row(const std::string              &file_name,
+        const std::vector<std::string> &columns,
+        const std::vector<double>      &values)
+    {
+      AssertDimension(values.size(), columns.size());
+      std::ostringstream line;
+      line.precision(digits);
+      for (std::size_t c = 0; c < values.size(); ++c)
+        {
+          if (!std::isfinite(values[c]))
+            throw NumericalError("The quantity '" + columns[c] + "' of '" +
+                                 file_name + "' is not a finite number.");
+          line << (c == 0 ? "" : ",") << values[c];
+        }
+      line << '\n';
+      return line.str();
+    }
+  } // namespace
+
+
+  History::History(const std::string              &file_name,
+                   const std::vector<std::string> &columns)
+      : file_name(file_name)
+      , columns(columns)
+      , stream(file_name, std::ios::trunc)
+  {
+    stream << header(columns) << std::flush;
+    if (!stream)
+      throw FileError("Cannot write '" + file_name +
+                      "': " + std::strerror(errno) + ".");
+  }
+
+
+  void
+  History::add_row(const std::vector<double> &values)
+  {
+    stream << row(file_name, columns, values) << std::flush;
+    if (!stream)
+      throw FileError("Cannot write to '" + file_name +
+                      "': " + std::strerror(errno) + ".");
+    ++rows;
+  }
+
+
+  unsigned int
+  History::n_rows() const
+  {
+    return rows;
+  }
+
+
+  void
+  write_table(const std::string                      &file_name,
+              const std::vector<std::string>         &columns,
+              const std::vector<std::vector<double>> &rows)
+  {
+    std::string content = header(columns);
+    for (const auto &values : rows)
+      content += row(file_name, columns, values);
+    write_atomically(file_name, content);
+  }
+} // namespace Morsel::Output

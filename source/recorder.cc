@@ -1,0 +1,347 @@
+#include "recorder.h"
+
+#include <morsel/core/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Morsel
+{
+  namespace
+  {
+    /// A ledger that closes worse than this has been simulating nothing.
+    constexpr double hopeless_energy_error = 0.5;
+
+
+    std::string
+    underscored(std::string name)
+    {
+      std::replace(name.begin(), name.end(), ' ', '_');
+      return name;
+    }
+
+
+    Measure::StrokeSettings
+    stroke_settings(const Scene::Scene &scene, const unsigned int axis)
+    {
+      const auto             &body = scene.particle_bodies.front();
+      Measure::StrokeSettings s;
+      s.loaded_area           = body.shape.extent(1 - axis) * scene.depth;
+      s.height                = body.shape.extent(axis);
+      s.residual_force        = scene.stop.residual_force;
+      s.closure_after_failure = scene.stop.closure_after_failure;
+      if (body.damage.enabled)
+        {
+          s.prescribed_strength = body.material.compressive_strength;
+          s.minimum_peak        = 0.2 * body.material.compressive_strength;
+        }
+      return s;
+    }
+
+
+    std::vector<std::string>
+    history_columns(const Scene::Scene &scene)
+    {
+      std::vector<std::string> c = {"time [s]",
+                                    "step [1]",
+                                    "closure [m]",
+                                    "nominal_strain [1]",
+                                    "nominal_stress [Pa]"};
+      for (const auto &plate : scene.rigid_bodies)
+        c.push_back("force_" + underscored(plate.name) + " [N]");
+      for (const auto &plate : scene.rigid_bodies)
+        c.push_back("tangential_force_" + underscored(plate.name) + " [N]");
+      for (const char *name : {"strain_energy",
+                               "hourglass_energy",
+                               "kinetic_energy",
+                               "contact_energy",
+                               "granular_energy",
+                               "external_work",
+                               "dissipated_viscosity",
+                               "dissipated_damage",
+                               "dissipated_bonds",
+                               "dissipated_friction",
+                               "dissipated_granular_friction"})
+        c.push_back(std::string(name) + " [J]");
+      c.insert(c.end(),
+               {"energy_error [1]",
+                "momentum_error [1]",
+                "failed_share [1]",
+                "time_step [s]"});
+      return c;
+    }
+
+
+    /// Speed at which the plates close, once they have reached it [m/s].
+    double
+    closing_speed(const Scene::Scene &scene, const unsigned int axis)
+    {
+      double speed = 0.;
+      for (const auto &plate : scene.rigid_bodies)
+        speed += std::abs(plate.motion.velocity[axis]);
+      return speed;
+    }
+
+
+    /// The first moments are the interesting ones: the way to failure and as
+    /// long again get most of the samples.
+    double
+    interesting_time(const Scene::Scene &scene, const unsigned int axis)
+    {
+      const double speed = closing_speed(scene, axis);
+      double       ramp  = 0.;
+      for (const auto &plate : scene.rigid_bodies)
+        ramp = std::max(ramp, plate.motion.ramp_time);
+      return speed > 0. ? std::min(scene.time.end_time,
+                                   2. * (expected_failure_closure(scene, axis) /
+                                             speed +
+                                         0.5 * ramp))
+                        : scene.time.end_time;
+    }
+  } // namespace
+
+
+  Cadence::Cadence(const unsigned int budget, const double interval)
+      : budget(std::max(2u, budget))
+      , interval(interval)
+      , limit(0.5 * this->budget)
+  {}
+
+
+  bool
+  Cadence::due(const double time)
+  {
+    if (time < next * (1. - 1e-12))
+      return false;
+    if (++spent >= limit)
+      {
+        interval *= 2.;
+        limit += std::max(1., 0.5 * (budget - limit));
+      }
+    next = time + interval;
+    return true;
+  }
+
+
+  double
+  expected_failure_closure(const Scene::Scene &scene, const unsigned int axis)
+  {
+    const auto  &body   = scene.particle_bodies.front();
+    const double height = body.shape.extent(axis);
+    if (!body.damage.enabled)
+      return scene.stop.maximum_closure * height;
+    const double nu = body.material.poissons_ratio;
+    return body.material.compressive_strength * (1. - nu * nu) /
+           body.material.youngs_modulus * height;
+  }
+
+
+  Recorder::Recorder(const Scene::Scene &scene,
+                     const RunOptions   &options,
+                     const Bite         &bite,
+                     RunLog             &log,
+                     const MPI_Comm      communicator)
+      : scene(scene)
+      , options(options)
+      , bite(bite)
+      , log(log)
+      , communicator(communicator)
+      , first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      , stroke(stroke_settings(scene, bite.closing_axis()))
+      , energy(bite.energies())
+      , momentum(bite.momentum())
+      , history_due(scene.output.history_samples,
+                    2. * interesting_time(scene, bite.closing_axis()) /
+                        scene.output.history_samples)
+      , frame_due(scene.output.field_frames,
+                  2. * interesting_time(scene, bite.closing_axis()) /
+                      std::max(1u, scene.output.field_frames))
+      , loop_wall_begin(log.wall_time())
+  {
+    if (first_rank)
+      history = std::make_unique<Output::History>(
+          options.output_directory + "/history.csv", history_columns(scene));
+    if (scene.output.fields)
+      {
+        const std::string folder = options.output_directory + "/solution";
+        particle_frames =
+            std::make_unique<Output::Frames<0>>(folder, "food", communicator);
+        if (!bite.get_plates().empty())
+          plate_frames = std::make_unique<Output::Frames<2>>(
+              folder, "plates", communicator);
+      }
+    find_fragments();
+    intact = fragments;
+  }
+
+
+  void
+  Recorder::follow()
+  {
+    Measure::StrokeSample s;
+    s.time           = bite.time();
+    s.closure        = bite.closure();
+    s.strain_energy  = last_strain;
+    s.kinetic_energy = last_kinetic;
+    for (unsigned int p = 0; p < bite.get_plates().size(); ++p)
+      {
+        s.normal_force.push_back(bite.normal_force(p));
+        s.tangential_force.push_back(bite.tangential_force(p));
+      }
+    stroke.add(s);
+
+    if (history_due.due(bite.time()))
+      sample();
+    if (scene.output.fields && frame_due.due(bite.time()))
+      write_frame();
+  }
+
+
+  void
+  Recorder::sample()
+  {
+    const auto timer = log.section("measures");
+    bite.check_finite();
+    const Measure::Energies e = bite.energies();
+    last_strain               = e.strain;
+    last_kinetic              = e.kinetic;
+    const double error        = energy.record(e, stroke.mean_force());
+    const double momentum_error =
+        momentum.record(bite.momentum(), bite.impulses());
+    deepest          = std::max(deepest, bite.deepest_penetration());
+    most_inverted    = std::max(most_inverted, bite.food().inverted_count());
+    last_sample_time = bite.time();
+
+    if (history)
+      {
+        std::vector<double> row = {bite.time(),
+                                   static_cast<double>(bite.step()),
+                                   bite.closure(),
+                                   stroke.nominal_strain(),
+                                   stroke.nominal_stress()};
+        for (unsigned int p = 0; p < bite.get_plates().size(); ++p)
+          row.push_back(bite.normal_force(p));
+        for (unsigned int p = 0; p < bite.get_plates().size(); ++p)
+          row.push_back(bite.tangential_force(p));
+        row.insert(row.end(),
+                   {e.strain,
+                    e.hourglass,
+                    e.kinetic,
+                    e.contact,
+                    e.granular,
+                    e.external_work,
+                    e.dissipated_viscosity,
+                    e.dissipated_damage,
+                    e.dissipated_bonds,
+                    e.dissipated_friction,
+                    e.dissipated_granular_friction,
+                    error,
+                    momentum_error,
+                    bite.food().failed_share(),
+                    bite.time_step()});
+        history->add_row(row);
+      }
+
+    if (error > hopeless_energy_error && bite.step() > 100)
+      {
+        std::ostringstream text;
+        text << "The energy ledger does not close any more (error "
+             << 100. * error << " % of the largest term) at time "
+             << bite.time() << " s, step " << bite.step()
+             << ": energy appears from nowhere. Lower 'Body "
+             << scene.particle_bodies.front().name
+             << "/Solid/CFL factor' or the contact stiffness.";
+        throw NumericalError(text.str());
+      }
+  }
+
+
+  StopReason
+  Recorder::stop_reason() const
+  {
+    if (scene.particle_bodies.front().damage.enabled &&
+        stroke.failed_completely())
+      return StopReason::complete_failure;
+    if (bite.closure() >=
+        scene.stop.maximum_closure *
+            scene.particle_bodies.front().shape.extent(bite.closing_axis()))
+      return StopReason::maximum_closure;
+    if (bite.time() >= scene.time.end_time * (1. - 1e-9))
+      return StopReason::end_time;
+    return StopReason::none;
+  }
+
+
+  double
+  Recorder::progress() const
+  {
+    const double height =
+        scene.particle_bodies.front().shape.extent(bite.closing_axis());
+    const double expected =
+        scene.particle_bodies.front().damage.enabled
+            ? 1.5 * expected_failure_closure(scene, bite.closing_axis()) +
+                  scene.stop.closure_after_failure * height
+            : scene.stop.maximum_closure * height;
+    return std::min(
+        1.,
+        std::max(bite.time() / scene.time.end_time,
+                 bite.closure() /
+                     std::min(expected, scene.stop.maximum_closure * height)));
+  }
+
+
+  void
+  Recorder::find_fragments()
+  {
+    const auto         &p     = bite.food().get_particles();
+    const auto         &bonds = bite.food().get_bonds();
+    const double        reach = scene.measures.friend_distance * p.spacing;
+    std::vector<char>   alive(p.n_owned, 1);
+    std::vector<double> areas(p.n_owned, p.spacing * p.spacing);
+    Measure::BondList   friends;
+    friends.first.push_back(0);
+    for (unsigned int i = 0; i < p.n_owned; ++i)
+      {
+        alive[i] = p.failed.empty() || !p.failed[i];
+        for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
+             ++k)
+          if (bonds.list.index[k] < p.n_owned && bonds.weight[k] > 0. &&
+              bonds.length_square(k) <= reach * reach)
+            friends.neighbour.push_back(bonds.list.index[k]);
+        friends.first.push_back(friends.neighbour.size());
+      }
+    fragments =
+        Measure::find_fragments(alive,
+                                friends,
+                                dealii::ArrayView<const dealii::Point<2>>(
+                                    p.reference.data(), p.n_owned),
+                                areas,
+                                p.spacing,
+                                scene.measures.fragment_share);
+  }
+
+
+  void
+  Recorder::finish(const StopReason reason)
+  {
+    if (last_sample_time < bite.time())
+      sample();
+    log.end_progress();
+    {
+      const auto timer = log.section("measures");
+      find_fragments();
+    }
+    if (scene.output.fields && last_frame_time < bite.time())
+      write_frame();
+    write_fragments();
+
+    summarise_stroke(reason);
+    summarise_fragments();
+    summarise_ledgers();
+    summarise_run();
+    summarise_effects();
+    if (first_rank)
+      summary.write(options.output_directory + "/summary.json");
+  }
+} // namespace Morsel

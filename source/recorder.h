@@ -1,0 +1,142 @@
+#ifndef morsel_source_recorder_h
+#define morsel_source_recorder_h
+
+#include "bite.h"
+
+#include <morsel/core/run_options.h>
+#include <morsel/measure/energy_ledger.h>
+#include <morsel/measure/fragments.h>
+#include <morsel/measure/stroke.h>
+#include <morsel/output/frames.h>
+#include <morsel/output/history.h>
+#include <morsel/output/summary.h>
+
+#include <memory>
+#include <string>
+
+namespace Morsel
+{
+  /// When something of a limited number is due, if nobody knows how long the
+  /// run will be: at a fixed interval until half of the budget is spent, then
+  /// at twice that until half of the rest is, and so on.
+  class Cadence
+  {
+  public:
+    Cadence(unsigned int budget, double interval);
+
+    /// Whether something is due at @p time; it then counts as done.
+    bool
+    due(double time);
+
+  private:
+    double budget, interval, next = 0., spent = 0., limit;
+  };
+
+
+  /// Why a run ended.
+  enum class StopReason
+  {
+    none,
+    complete_failure,
+    maximum_closure,
+    end_time
+  };
+
+
+  /// Follows a run: measures, history, fields, and the summary at its end.
+  class Recorder
+  {
+  public:
+    /// Opens the outputs. @throws FileError.
+    Recorder(const Scene::Scene &scene,
+             const RunOptions   &options,
+             const Bite         &bite,
+             RunLog             &log,
+             MPI_Comm            communicator);
+
+    /// Takes the present state in: forces at every step, energies, history
+    /// and fields when they are due.
+    /// @throws NumericalError where the numbers went bad.
+    void
+    follow();
+
+    StopReason
+    stop_reason() const;
+
+    /// Share of the run that is done, as far as one can know [1].
+    double
+    progress() const;
+
+    /// The last sample, fragments, and summary.json.
+    void
+    finish(StopReason reason);
+
+  private:
+    void
+    sample();
+
+    void
+    write_frame();
+
+    void
+    write_fragments();
+
+    void
+    find_fragments();
+
+    void
+    summarise_stroke(StopReason reason);
+
+    void
+    summarise_fragments();
+
+    void
+    summarise_ledgers();
+
+    void
+    summarise_run();
+
+    void
+    summarise_effects();
+
+    const Scene::Scene &scene;
+    const RunOptions   &options;
+    const Bite         &bite;
+    RunLog             &log;
+    const MPI_Comm      communicator;
+    const bool          first_rank;
+
+    Measure::Stroke         stroke;
+    Measure::EnergyLedger   energy;
+    Measure::MomentumLedger momentum;
+    Measure::Fragments      fragments;
+    Measure::Fragments      intact;
+
+    Cadence                            history_due, frame_due;
+    std::unique_ptr<Output::History>   history;
+    std::unique_ptr<Output::Frames<0>> particle_frames;
+    std::unique_ptr<Output::Frames<2>> plate_frames;
+    Output::Summary                    summary;
+
+    double       last_sample_time = -1.;
+    double       last_frame_time  = -1.;
+    double       deepest          = 0.;
+    unsigned int most_inverted    = 0;
+    double       last_kinetic     = 0.;
+    double       last_strain      = 0.;
+    double       loop_wall_begin  = 0.;
+  };
+
+
+  /// The effects of a scene: on or off, and who asked for each.
+  std::vector<Output::Effect>
+  effects_of(const Scene::Scene &scene);
+
+
+  /// Closure at which the food is expected to fail [m], from strength over
+  /// plane-strain modulus; the whole run's closure where it cannot fail.
+  double
+  expected_failure_closure(const Scene::Scene &scene, unsigned int axis);
+} // namespace Morsel
+
+#endif

@@ -1,0 +1,102 @@
+#include "recorder.h"
+
+#include <cmath>
+
+namespace Morsel
+{
+  namespace
+  {
+    double
+    von_mises(const Materials::PlaneStrainStress &s)
+    {
+      return std::sqrt(0.5 * ((s.xx - s.yy) * (s.xx - s.yy) +
+                              (s.yy - s.zz) * (s.yy - s.zz) +
+                              (s.zz - s.xx) * (s.zz - s.xx)) +
+                       3. * s.xy * s.xy);
+    }
+  } // namespace
+
+
+  void
+  Recorder::write_frame()
+  {
+    using Field = Output::Field;
+
+    const auto timer = log.section("output");
+    find_fragments();
+    last_frame_time = bite.time();
+
+    const auto                   &solid = bite.food();
+    const auto                   &p     = solid.get_particles();
+    const unsigned int            n     = p.n_owned;
+    std::vector<dealii::Point<2>> points(n);
+    std::vector<double> displacement, velocity, damage(n, 0.), failed(n, 0.),
+        fragment(n), density(n), mises(n), s_xx(n), s_yy(n), pressure(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const Motion &m = p.motion[i];
+        const auto    s = solid.stress(i);
+        points[i]       = p.position(i);
+        displacement.insert(displacement.end(), {m.u_x, m.u_y});
+        velocity.insert(velocity.end(), {m.v_x, m.v_y});
+        if (!p.damage.empty())
+          {
+            damage[i] = p.damage[i];
+            failed[i] = p.failed[i];
+          }
+        fragment[i] = fragments.label[i];
+        density[i]  = solid.density_ratio(i) * solid.get_material().density;
+        mises[i]    = von_mises(s);
+        s_xx[i]     = s.xx;
+        s_yy[i]     = s.yy;
+        pressure[i] = -(s.xx + s.yy + s.zz) / 3.;
+      }
+    const std::vector<Field> fields = {
+        {"displacement", Field::Kind::vector, displacement},
+        {"velocity", Field::Kind::vector, velocity},
+        {"damage", Field::Kind::scalar, damage},
+        {"failed", Field::Kind::scalar, failed},
+        {"fragment", Field::Kind::scalar, fragment},
+        {"density", Field::Kind::scalar, density},
+        {"von_mises", Field::Kind::scalar, mises},
+        {"stress_xx", Field::Kind::scalar, s_xx},
+        {"stress_yy", Field::Kind::scalar, s_yy},
+        {"pressure", Field::Kind::scalar, pressure}};
+    particle_frames->write(bite.time(), points, fields);
+
+    if (!plate_frames)
+      return;
+    std::vector<Output::PlateState> plates;
+    for (const auto &plate : bite.get_plates())
+      plates.push_back({plate.body.shape.lower_corner + plate.displacement(),
+                        plate.body.shape.upper_corner + plate.displacement(),
+                        plate.velocity(),
+                        plate.force()});
+    Output::write_plates(*plate_frames, bite.time(), plates);
+  }
+
+
+  void
+  Recorder::write_fragments()
+  {
+    if (!first_rank || fragments.label.size() != bite.particle_count())
+      return;
+    std::vector<std::vector<double>> rows;
+    for (unsigned int f = 0; f < fragments.pieces.size(); ++f)
+      {
+        const auto &piece = fragments.pieces[f];
+        rows.push_back({static_cast<double>(f),
+                        piece.share,
+                        1e6 * piece.area,
+                        1e3 * piece.perimeter,
+                        static_cast<double>(piece.n_particles)});
+      }
+    Output::write_table(options.output_directory + "/fragments.csv",
+                        {"fragment [1]",
+                         "mass_share [1]",
+                         "area [mm^2]",
+                         "perimeter [mm]",
+                         "particles [1]"},
+                        rows);
+  }
+} // namespace Morsel

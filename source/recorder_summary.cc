@@ -1,0 +1,358 @@
+#include "recorder.h"
+
+#include <morsel/measure/masticatory_performance.h>
+
+#include <deal.II/base/config.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Morsel
+{
+  namespace
+  {
+    std::vector<Measure::Fragment>
+    counted(const Measure::Fragments &fragments)
+    {
+      return {fragments.pieces.begin(),
+              fragments.pieces.begin() + fragments.count};
+    }
+
+
+    std::string
+    words(const StopReason reason)
+    {
+      switch (reason)
+        {
+          case StopReason::complete_failure:
+            return "complete failure";
+          case StopReason::maximum_closure:
+            return "maximum closure";
+          case StopReason::end_time:
+            return "end time";
+          default:
+            return "interrupted";
+        }
+    }
+  } // namespace
+
+
+  std::vector<Output::Effect>
+  effects_of(const Scene::Scene &scene)
+  {
+    const auto       &body      = scene.particle_bodies.front();
+    const std::string where     = "Body " + body.name + "/";
+    const bool        can_fail  = body.damage.enabled;
+    const bool        viscosity = body.solid.viscosity == "on" ||
+                           (body.solid.viscosity == "auto" && can_fail);
+
+    std::vector<Output::Effect> effects;
+    effects.push_back(
+        {"elastic solid (" + body.material.law + ")", true, where + "Kind"});
+    effects.push_back({"hourglass control",
+                       body.solid.hourglass > 0.,
+                       where + "Solid/Hourglass coefficient"});
+    effects.push_back({"artificial viscosity",
+                       viscosity,
+                       body.solid.viscosity == "auto"
+                           ? std::string("auto: the solid can") +
+                                 (can_fail ? "" : "not") + " fail"
+                           : where + "Solid/Viscosity"});
+    effects.push_back({"damage (" + body.damage.driver + ", " +
+                           body.damage.growth + ", " + body.damage.softening +
+                           ", " + body.damage.flaws + " flaws)",
+                       can_fail,
+                       where + "Damage/Enabled"});
+    effects.push_back({"granular response of failed food",
+                       can_fail,
+                       "implied by damage; costs nothing until something has "
+                       "failed"});
+    effects.push_back({"contact with plates (" + scene.contact.law + ")",
+                       !scene.contact_pairs.empty(),
+                       "Contact/Pairs"});
+    effects.push_back(
+        {"friction on plates",
+         !scene.contact_pairs.empty() && scene.contact.friction > 0.,
+         "Contact/Friction"});
+    effects.push_back({"fields", scene.output.fields, "Output/Fields"});
+    return effects;
+  }
+
+
+  void
+  Recorder::summarise_stroke(const StopReason reason)
+  {
+    const auto &plates = bite.get_plates();
+    double      peak = 0., tangential = 0.;
+    for (unsigned int p = 0; p < plates.size(); ++p)
+      {
+        peak       = std::max(peak, stroke.peak_force(p));
+        tangential = std::max(tangential, stroke.peak_tangential_force(p));
+        std::string name = plates[p].body.name;
+        std::replace(name.begin(), name.end(), ' ', '_');
+        summary.add("peak_occlusal_force_" + name,
+                    stroke.peak_force(p),
+                    "N",
+                    "largest normal force on the " + plates[p].body.name);
+      }
+    summary.add_text("ended_by", words(reason));
+    if (plates.empty())
+      return;
+    summary.add("peak_occlusal_force",
+                peak,
+                "N",
+                "largest normal force on a plate over time");
+    summary.add("peak_tangential_force",
+                tangential,
+                "N",
+                "largest tangential force on a plate over time");
+    summary.add("occlusal_force_time_of_peak",
+                stroke.time_of_peak(),
+                "s",
+                "when the mean normal force of the plates was largest");
+    summary.add("strain_at_peak",
+                stroke.strain_at_peak(),
+                "1",
+                "nominal strain at the peak of the force");
+    if (const auto stiffness = stroke.stiffness())
+      summary.add("nominal_stiffness",
+                  *stiffness,
+                  "Pa",
+                  "slope of nominal stress over nominal strain between 20 and "
+                  "60 % of the peak");
+
+    const bool can_fail = bite.food().can_fail();
+    if (const auto error = stroke.compressive_strength_error())
+      {
+        const double prescribed =
+            scene.particle_bodies.front().material.compressive_strength;
+        summary.add("compressive_strength",
+                    stroke.compressive_strength(),
+                    "Pa",
+                    "peak nominal axial stress: mean of the plates' normal "
+                    "forces over the initial loaded area",
+                    prescribed,
+                    *error);
+        summary.add("compressive_strength_error",
+                    *error,
+                    "1",
+                    "compressive strength relative to the prescribed one");
+      }
+    else
+      summary.add("peak_nominal_stress",
+                  stroke.compressive_strength(),
+                  "Pa",
+                  "largest mean of the plates' normal forces over the initial "
+                  "loaded area");
+    if (const auto ratio = stroke.kinetic_over_strain_energy())
+      {
+        summary.add("kinetic_over_strain_energy_before_peak",
+                    *ratio,
+                    "1",
+                    "kinetic over strain energy at 95 % of the peak: below "
+                    "0.05 the loading was quasi-static");
+        summary.add_text("loading",
+                         *ratio < 0.05 ? "quasi-static" : "not quasi-static");
+      }
+    if (can_fail)
+      {
+        summary.add("complete_failure",
+                    stroke.failed_completely() ? 1. : 0.,
+                    "1",
+                    "1 if the mean force fell below " +
+                        std::to_string(scene.stop.residual_force).substr(0, 4) +
+                        " of its peak and stayed there while the plates closed "
+                        "on by the given share of the height, else 0");
+        if (const auto time = stroke.time_of_failure())
+          summary.add("time_of_failure",
+                      *time,
+                      "s",
+                      "when the mean force fell below its residual share for "
+                      "good");
+      }
+  }
+
+
+  void
+  Recorder::summarise_fragments()
+  {
+    if (!bite.food().can_fail())
+      return;
+    const auto pieces = counted(fragments);
+    const auto performance =
+        Measure::masticatory_performance(counted(intact), pieces);
+    summary.add(
+        "fragment_count",
+        fragments.count,
+        "1",
+        "pieces of at least " +
+            std::to_string(100. * scene.measures.fragment_share).substr(0, 4) +
+            " % of the mass");
+    summary.add("largest_fragment_share",
+                fragments.largest_share(),
+                "1",
+                "mass share of the largest fragment");
+    summary.add("failed_share",
+                fragments.dust_share,
+                "1",
+                "mass share of failed particles (dust)");
+    summary.add("crumb_share",
+                fragments.crumb_share,
+                "1",
+                "mass share of pieces too small to count");
+    summary.add("masticatory_performance",
+                performance.largest_fragment,
+                "1/sqrt(mm)",
+                "T4-4, S2 of the largest fragment (thesis)");
+    summary.add("masticatory_performance_all_fragments",
+                performance.all_fragments,
+                "1/sqrt(mm)",
+                "T4-4, S2 of all fragments together (Agrawal et al. 1997)");
+  }
+
+
+  void
+  Recorder::summarise_ledgers()
+  {
+    const auto &e = energy.last();
+    summary.add("strain_energy", e.strain, "J", "recoverable, at the end");
+    summary.add("hourglass_energy",
+                e.hourglass,
+                "J",
+                "in the residual of the linear fit, at the end");
+    summary.add("kinetic_energy", e.kinetic, "J", "at the end");
+    summary.add("contact_energy",
+                e.contact,
+                "J",
+                "recoverable in contact with plates, at the end");
+    summary.add("granular_energy",
+                e.granular,
+                "J",
+                "recoverable in failed food, at the end");
+    summary.add("external_work",
+                e.external_work,
+                "J",
+                "done by the plates on the food");
+    summary.add("dissipated_energy",
+                e.dissipated(),
+                "J",
+                "by damage, broken bonds, viscosity and friction");
+    summary.add("damage_energy",
+                e.dissipated_damage,
+                "J",
+                "dissipated by damage growth");
+    summary.add("bond_energy",
+                e.dissipated_bonds,
+                "J",
+                "released when bonds were cut (negative: stored)");
+    summary.add("viscous_energy",
+                e.dissipated_viscosity,
+                "J",
+                "dissipated by artificial viscosity");
+    summary.add("friction_energy",
+                e.dissipated_friction + e.dissipated_granular_friction,
+                "J",
+                "dissipated by friction on plates and in failed food");
+    summary.add("energy_balance_error",
+                energy.error_at_end(),
+                "1",
+                "closing error of the energy ledger over its largest term, "
+                "at the end");
+    summary.add("energy_balance_error_at_peak",
+                energy.error_at_peak(),
+                "1",
+                "the same at the peak of the force");
+    summary.add("energy_balance_error_largest",
+                energy.largest_error(),
+                "1",
+                "the same at its worst");
+    summary.add("momentum_error",
+                momentum.largest_error(),
+                "1",
+                "change of linear momentum that the plates' impulses do not "
+                "explain over the largest term");
+  }
+
+
+  void
+  Recorder::summarise_run()
+  {
+    const double loop      = log.wall_time() - loop_wall_begin;
+    const double particles = bite.particle_count();
+    const auto  &bonds     = bite.food().get_bonds();
+    const double pairs     = dealii::Utilities::MPI::sum(
+        static_cast<double>(bonds.list.index.size()), communicator);
+    summary.add(
+        "deepest_penetration", deepest, "m", "of a particle into a plate");
+    summary.add("inverted_particle_count",
+                most_inverted,
+                "1",
+                "particles turned inside out at any sample: must be 0");
+    summary.add("particle_count", particles, "1", "");
+    summary.add("cell_count",
+                bite.food().get_host().n_cells(),
+                "1",
+                "of the background mesh that hosts the particles");
+    summary.add("neighbours_per_particle",
+                pairs / particles,
+                "1",
+                "pairs of the reference configuration");
+    summary.add("step_count", bite.step(), "1", "");
+    summary.add("time_step", bite.time_step(), "s", "");
+    summary.add("simulated_time", bite.time(), "s", "");
+    summary.add("seed", scene.seed, "1", "of the flaws");
+    summary.add("wall_time", log.wall_time(), "s", "whole run");
+    summary.add("wall_time_loop", loop, "s", "time loop alone");
+    summary.add("particle_steps_per_second",
+                particles * bite.step() / std::max(loop, 1e-9),
+                "1/s",
+                "particles times steps over the loop's wall time");
+    dealii::Utilities::System::MemoryStats memory;
+    dealii::Utilities::System::get_memory_stats(memory);
+    summary.add("peak_memory",
+                dealii::Utilities::MPI::max(1024. * memory.VmHWM, communicator),
+                "B",
+                "largest resident size of a rank");
+    summary.add("rank_count",
+                dealii::Utilities::MPI::n_mpi_processes(communicator),
+                "1",
+                "MPI ranks");
+    summary.add("thread_count", options.threads, "1", "threads per rank");
+
+    summary.add_text("title", scene.title);
+    summary.add_text("scene", scene.name);
+    summary.add_text("material", scene.particle_bodies.front().material.name);
+    summary.add_text("parameters_hash", scene.parameters_hash);
+    summary.add_text("morsel_version", MORSEL_VERSION);
+    summary.add_text("deal_ii_version", DEAL_II_PACKAGE_VERSION);
+  }
+
+
+  void
+  Recorder::summarise_effects()
+  {
+    const auto parts = log.wall_times();
+    const auto spent = [&](const std::string &part) {
+      for (const auto &p : parts)
+        if (p.first == part)
+          return p.second;
+      return 0.;
+    };
+    const std::pair<std::string, std::string> part_of_effect[] = {
+        {"elastic", "strain and forces"},
+        {"damage", "damage and broken bonds"},
+        {"granular", "failed food"},
+        {"contact", "contact with plates"},
+        {"fields", "output"}};
+    for (auto effect : effects_of(scene))
+      {
+        for (const auto &[begin, part] : part_of_effect)
+          if (effect.name.compare(0, begin.size(), begin) == 0)
+            effect.wall_time = spent(part);
+        summary.add_effect(effect);
+      }
+    for (const auto &part : parts)
+      summary.add_part(part.first, part.second);
+  }
+} // namespace Morsel

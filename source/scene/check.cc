@@ -1,0 +1,373 @@
+#include <morsel/core/errors.h>
+#include <morsel/core/suggestions.h>
+#include <morsel/materials/elasticity.h>
+#include <morsel/scene/check.h>
+#include <morsel/scene/findings.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace Morsel::Scene
+{
+  namespace
+  {
+    std::string
+    percent(const double share)
+    {
+      return number_text(100. * share) + " %";
+    }
+
+
+    /// Longitudinal wave speed and stable step of a body, once its material
+    /// is known to be sound.
+    struct WaveLimits
+    {
+      double speed;  ///< c [m/s]
+      double step;   ///< h/c [s]
+      double height; ///< [m]
+    };
+
+
+    WaveLimits
+    wave_limits(const ParticleBody &body)
+    {
+      const double speed = Materials::Elasticity(body.material.youngs_modulus,
+                                                 body.material.poissons_ratio,
+                                                 body.material.density)
+                               .wave_speed;
+      return {speed,
+              body.solid.smoothing_ratio * body.spacing / speed,
+              body.shape.extent(1)};
+    }
+
+
+    void
+    check_particles(const ParticleBody &body, Findings &findings)
+    {
+      const std::string path =
+          "Body " + body.name + "/Particles/Particles across";
+      if (body.particles_across == 0)
+        {
+          findings.mistake(path,
+                           "the body has no particles; give their number "
+                           "along x, for instance 101.");
+          return;
+        }
+      const unsigned int fewest =
+          std::min(body.particles_across, body.particles_high());
+      if (fewest < 4)
+        findings.mistake(path,
+                         "the body is " + std::to_string(fewest) +
+                             " particles thick, too few to carry a gradient; "
+                             "at least 4 are needed, 50 or more advised.");
+      else if (fewest < 20)
+        findings.advise(path,
+                        "the body is only " + std::to_string(fewest) +
+                            " particles thick; the support of a particle "
+                            "spans " +
+                            number_text(4. * body.solid.smoothing_ratio) +
+                            " of them, so take at least 20, better 50.");
+
+      const double count = 1. * body.particles_across * body.particles_high();
+      if (count > 2e7)
+        findings.mistake(path,
+                         "the body would have " + number_text(count) +
+                             " particles; at most 20 million are allowed.");
+      else if (count > 1e6)
+        findings.advise(path,
+                        "the body has " + number_text(count) +
+                            " particles, which need about " +
+                            number_text(count * 2e-6) +
+                            " GB of memory and a long time.");
+
+      const double misfit = std::abs(
+          body.particles_high() * body.spacing / body.shape.extent(1) - 1.);
+      if (misfit > 1e-6)
+        findings.advise(path,
+                        "the height is not a multiple of the spacing " +
+                            number_text(body.spacing) + " m; the lattice is " +
+                            percent(misfit) + " off the body's height.");
+    }
+
+
+    void
+    check_material(const ParticleBody &body, Findings &findings)
+    {
+      const std::string section = "Body " + body.name + "/Material/";
+      const Materials::MaterialParameters &material = body.material;
+      const std::string                    inline_advice =
+          material.name == "inline"
+                                 ? " Give it, or name a material of the catalogue."
+                                 : "";
+      if (!(material.density > 0.))
+        findings.mistake(section + "Density",
+                         "the density must be positive, in kg/m^3." +
+                             inline_advice);
+      if (!(material.youngs_modulus > 0.))
+        findings.mistake(section + "Young's modulus",
+                         "Young's modulus must be positive, in Pa." +
+                             inline_advice);
+      if (!(material.poissons_ratio >= 0. && material.poissons_ratio < 0.5))
+        findings.mistake(section + "Poisson's ratio",
+                         "Poisson's ratio must be at least 0 and below 0.5." +
+                             inline_advice);
+      else if (material.poissons_ratio > 0.49)
+        findings.advise(section + "Poisson's ratio",
+                        "the solid is nearly incompressible: the time step "
+                        "becomes small and the answer stiff.");
+      if (material.density > 0. &&
+          (material.density < 50. || material.density > 25000.))
+        findings.advise(section + "Density",
+                        number_text(material.density) +
+                            " kg/m^3 is unusual; water has 1000.");
+
+      const double strength = material.compressive_strength;
+      if (body.damage.enabled && !(strength > 0.))
+        findings.mistake("Body " + body.name + "/Damage/Enabled",
+                         "the solid can fail only if its strength is known: "
+                         "give 'Compressive strength' or 'Toughness' in '" +
+                             section.substr(0, section.size() - 1) + "'.");
+      if (strength > 0. && material.youngs_modulus > 0.)
+        {
+          const double      failure_strain = strength / material.youngs_modulus;
+          const std::string text =
+              "the strength " + number_text(strength) +
+              " Pa over the modulus is a failure strain of " +
+              number_text(failure_strain);
+          if (failure_strain > 1.)
+            findings.mistake(section + "Young's modulus",
+                             text + ": check the units, both are in Pa.");
+          else if (failure_strain > 0.2 || failure_strain < 1e-6)
+            findings.advise(section + "Young's modulus",
+                            text + ", which is suspicious; both are in Pa.");
+        }
+    }
+
+
+    /// The fastest of the plates that may touch a body [m/s].
+    std::optional<RigidBody>
+    fastest_plate(const ParticleBody &body, const Scene &scene)
+    {
+      std::optional<RigidBody> fastest;
+      for (const ContactPair &pair : scene.contact_pairs)
+        for (const RigidBody &plate : scene.rigid_bodies)
+          if (pair.food == body.name && pair.plate == plate.name &&
+              (!fastest ||
+               plate.motion.velocity.norm() > fastest->motion.velocity.norm()))
+            fastest = plate;
+      return fastest;
+    }
+
+
+    void
+    check_numerics(const ParticleBody &body,
+                   const Scene        &scene,
+                   Findings           &findings)
+    {
+      const WaveLimits  limits  = wave_limits(body);
+      const std::string section = "Body " + body.name + "/Solid/";
+      if (4. * body.solid.smoothing_ratio >
+          std::min(body.particles_across, body.particles_high()))
+        findings.advise(section + "Smoothing ratio",
+                        "the support of a particle is as large as the body; "
+                        "take more particles or a smaller ratio.");
+      if (body.solid.smoothing_ratio < 1.2 || body.solid.smoothing_ratio > 2.)
+        findings.advise(section + "Smoothing ratio",
+                        "1.2 to 2 spacings are usual; fewer neighbours make "
+                        "the gradient poor, more make it slow and blurred.");
+      if (body.solid.cfl > 1.)
+        findings.advise(section + "CFL factor",
+                        "the scheme is stable up to about 1.");
+
+      const double step = scene.time.time_step;
+      if (step > limits.step)
+        findings.mistake("Time/Time step",
+                         "it exceeds the stable step h/c = " +
+                             number_text(limits.step) + " s of '" + body.name +
+                             "' (wave speed " + number_text(limits.speed) +
+                             " m/s); give less, or 0 for the stable step.");
+      else if (step > 0.7 * limits.step)
+        findings.advise("Time/Time step",
+                        "it is close to the stable step h/c = " +
+                            number_text(limits.step) + " s of '" + body.name +
+                            "'; contact and viscosity may need less.");
+
+      const double expected_step =
+          step > 0. ? step : body.solid.cfl * limits.step;
+      if (scene.time.end_time / expected_step > 1e8)
+        findings.advise("Time/End time",
+                        "the run may take " +
+                            number_text(scene.time.end_time / expected_step) +
+                            " steps of " + number_text(expected_step) +
+                            " s; a faster plate or fewer particles reduce "
+                            "them.");
+    }
+
+
+    void
+    check_contact(const ParticleBody &body,
+                  const Scene        &scene,
+                  Findings           &findings)
+    {
+      const WaveLimits limits = wave_limits(body);
+      const double     step   = scene.time.time_step;
+
+      // A particle (rho dp^2) on a spring of stiffness s (lambda + 2 mu) per
+      // unit depth oscillates at sqrt(s) c/dp; leapfrog needs dt < 2/omega.
+      const bool   gap_penalty = scene.contact.law == "gap penalty";
+      const double stiffness   = scene.contact.stiffness;
+      const double contact_step =
+          2. * body.spacing / (limits.speed * std::sqrt(stiffness));
+      if (gap_penalty && step > contact_step)
+        findings.mistake("Contact/Stiffness",
+                         "the time step " + number_text(step) +
+                             " s is too large for it: a particle in contact "
+                             "needs less than " +
+                             number_text(contact_step) +
+                             " s; lower the stiffness or the step.");
+      if (gap_penalty && stiffness > 10.)
+        findings.advise("Contact/Stiffness",
+                        "so stiff a contact reduces the time step by about " +
+                            number_text(std::sqrt(stiffness)) +
+                            "; 0.1 to 2 are usual.");
+      if (gap_penalty && stiffness < 0.05 && !scene.contact_pairs.empty())
+        findings.advise("Contact/Stiffness",
+                        "so soft a contact lets the food sink into the plate "
+                        "by many spacings; 0.1 to 2 are usual.");
+    }
+
+
+    void
+    check_loading(const ParticleBody &body,
+                  const Scene        &scene,
+                  Findings           &findings)
+    {
+      const WaveLimits limits = wave_limits(body);
+      if (body.initial_velocity.norm() > 0.1 * limits.speed)
+        findings.advise("Body " + body.name + "/Particles/Initial velocity",
+                        "it is more than a tenth of the wave speed " +
+                            number_text(limits.speed) + " m/s.");
+
+      const std::optional<RigidBody> plate = fastest_plate(body, scene);
+      if (!plate)
+        return;
+      const std::string path  = "Body " + plate->name + "/Motion/Velocity";
+      const double      speed = plate->motion.velocity.norm();
+      if (speed > 0.1 * limits.speed)
+        findings.advise(path,
+                        "it is more than a tenth of the wave speed " +
+                            number_text(limits.speed) +
+                            " m/s: this is an impact, not chewing.");
+      else if (speed > 0. && body.material.compressive_strength > 0.)
+        {
+          const double transits = body.material.compressive_strength /
+                                  body.material.youngs_modulus * limits.speed /
+                                  speed;
+          if (transits < 3.)
+            findings.advise(path,
+                            "the food reaches its strength within " +
+                                number_text(transits) +
+                                " transits of a wave: the loading is not "
+                                "quasi-static, so inertia shows in the "
+                                "force; a slower plate helps.");
+        }
+    }
+
+
+    /// Says how far apart the bodies of a pair are and when they meet.
+    void
+    check_gap(const ContactPair &pair, const Scene &scene, Findings &findings)
+    {
+      const auto food = std::find_if(
+          scene.particle_bodies.begin(),
+          scene.particle_bodies.end(),
+          [&](const ParticleBody &b) { return b.name == pair.food; });
+      const auto plate = std::find_if(
+          scene.rigid_bodies.begin(),
+          scene.rigid_bodies.end(),
+          [&](const RigidBody &b) { return b.name == pair.plate; });
+      const double gap = -overlap(food->shape, plate->shape);
+      if (gap <= food->spacing)
+        return;
+
+      const double speed =
+          (plate->motion.velocity - food->initial_velocity).norm();
+      std::string text = "the plate stands " + number_text(gap) + " m off '" +
+                         food->name + "'";
+      if (gap > speed * scene.time.end_time)
+        text += " and does not reach it before the end time";
+      else
+        text += ", a way that takes " + number_text(gap / speed) + " s";
+      findings.advise("Body " + plate->name + "/Shape/Lower corner",
+                      text + ".");
+    }
+
+
+    void
+    check_run(const Scene &scene, Findings &findings)
+    {
+      if (!(scene.time.end_time > 0.))
+        findings.mistake("Time/End time", "it must be positive, in s.");
+      const double closure = scene.stop.maximum_closure;
+      if (!(closure > 0. && closure < 1.))
+        findings.mistake("Stop/Maximum closure",
+                         "it must lie between 0 and 1, as a share of the "
+                         "food's height.");
+      else if (closure > 0.9)
+        findings.advise("Stop/Maximum closure",
+                        "the food would be pressed to a tenth of its height.");
+      if (scene.stop.residual_force >= 1.)
+        findings.mistake("Stop/Residual force",
+                         "it must be below 1, or the run ends at its peak.");
+      if (scene.name.find('/') != std::string::npos)
+        findings.mistake("Name",
+                         "it becomes the name of a folder and must not "
+                         "contain '/'.");
+      if (scene.particle_bodies.empty())
+        findings.mistake("Bodies",
+                         "no body has particles, so there is nothing to "
+                         "simulate; give one the Kind 'particles'.");
+      if (scene.contact.law == "potential")
+        for (const RigidBody &plate : scene.rigid_bodies)
+          for (const ParticleBody &food : scene.particle_bodies)
+            if (plate.node_spacing > 0.6 * food.spacing)
+              findings.advise("Body " + plate.name + "/Surface/Node spacing",
+                              "with the potential, nodes farther apart than "
+                              "half a particle spacing (" +
+                                  number_text(0.5 * food.spacing) +
+                                  " m) make the force ripple.");
+    }
+  } // namespace
+
+
+  std::vector<std::string>
+  check_scene(const Scene                       &scene,
+              const std::vector<ParameterEntry> &entries,
+              const std::string                 &file_name)
+  {
+    Findings findings(entries, file_name);
+    check_run(scene, findings);
+    check_geometry(scene, findings);
+    for (const ParticleBody &body : scene.particle_bodies)
+      {
+        check_particles(body, findings);
+        check_material(body, findings);
+      }
+    // What follows divides by moduli, spacings and extents.
+    if (findings.clean())
+      {
+        for (const ParticleBody &body : scene.particle_bodies)
+          {
+            check_numerics(body, scene, findings);
+            check_contact(body, scene, findings);
+            check_loading(body, scene, findings);
+          }
+        for (const ContactPair &pair : scene.contact_pairs)
+          check_gap(pair, scene, findings);
+      }
+    if (!findings.clean())
+      throw InputError(findings.mistakes);
+    return findings.advice;
+  }
+} // namespace Morsel::Scene

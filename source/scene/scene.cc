@@ -1,0 +1,155 @@
+#include <morsel/scene/scene.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <cmath>
+
+namespace Morsel::Scene
+{
+  namespace Patterns = dealii::Patterns;
+
+  void
+  Rectangle::declare(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter("Lower corner",
+                      lower_corner,
+                      "Corner 'x, y' of least coordinates [m].");
+    prm.add_parameter("Upper corner",
+                      upper_corner,
+                      "Corner 'x, y' of largest coordinates [m].");
+  }
+
+
+  void
+  ParticleBody::declare(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Shape");
+    shape.declare(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Particles");
+    prm.add_parameter(
+        "Particles across",
+        particles_across,
+        "Number of particles along x; they stand on a square lattice, the "
+        "first and last half a spacing inside the edges [1].",
+        Patterns::Integer(0));
+    prm.add_parameter("Initial velocity",
+                      initial_velocity,
+                      "Velocity 'v_x, v_y' of all particles at time 0 [m/s].");
+    prm.leave_subsection();
+
+    prm.enter_subsection("Material");
+    material.declare(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Damage");
+    damage.declare(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Solid");
+    solid.declare(prm);
+    prm.leave_subsection();
+  }
+
+
+  unsigned int
+  ParticleBody::particles_high() const
+  {
+    return spacing > 0. ? static_cast<unsigned int>(
+                              std::lround(shape.extent(1) / spacing))
+                        : 0;
+  }
+
+
+  void
+  RigidBody::declare(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Shape");
+    shape.declare(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Surface");
+    prm.add_parameter("Node spacing",
+                      node_spacing,
+                      "Spacing of the nodes on the surface [m]; 0 takes half "
+                      "the particle spacing of the food.",
+                      Patterns::Double(0.));
+    prm.leave_subsection();
+
+    prm.enter_subsection("Motion");
+    motion.declare(prm);
+    prm.leave_subsection();
+  }
+
+
+  void
+  TimeParameters::declare(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter("End time",
+                      end_time,
+                      "The run ends at this time at the latest [s].",
+                      Patterns::Double(0.));
+    prm.add_parameter("Time step",
+                      time_step,
+                      "Fixed time step [s]; 0 takes the largest stable one.",
+                      Patterns::Double(0.));
+  }
+
+
+  void
+  StopParameters::declare(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter(
+        "Maximum closure",
+        maximum_closure,
+        "The run ends when the plates have come together by this share of the "
+        "food's height [1].",
+        Patterns::Double());
+    prm.add_parameter(
+        "Residual force",
+        residual_force,
+        "Complete failure: after its peak the mean occlusal force has fallen "
+        "below this share of the peak [1]; 0 never ends the run.",
+        Patterns::Double(0., 1.));
+    prm.add_parameter(
+        "Closure after failure",
+        closure_after_failure,
+        "After complete failure the run goes on until the plates have closed "
+        "by this further share of the food's height [1].",
+        Patterns::Double(0., 1.));
+  }
+
+
+  void
+  OutputParameters::declare(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter(
+        "Fields", fields, "Write the fields over time for ParaView.");
+    prm.add_parameter("Field frames",
+                      field_frames,
+                      "About so many moments at which fields are written [1].",
+                      Patterns::Integer(0, 100000));
+    prm.add_parameter("History samples",
+                      history_samples,
+                      "At most about so many rows of the history [1].",
+                      Patterns::Integer(2, 10000000));
+  }
+
+
+  void
+  MeasureParameters::declare(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter(
+        "Fragment share",
+        fragment_share,
+        "Smallest share of the food's mass that counts as a fragment [1].",
+        Patterns::Double(0., 1.));
+    prm.add_parameter(
+        "Friend distance",
+        friend_distance,
+        "Unfailed particles this close belong to the same fragment, in "
+        "particle spacings [1].",
+        Patterns::Double(0.5, 10.));
+  }
+} // namespace Morsel::Scene

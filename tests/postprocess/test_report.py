@@ -1,0 +1,123 @@
+"""The report on a complete run, on poor ones, and on what is no run.
+
+Run with: python3 -m unittest discover -s tests/postprocess
+"""
+import contextlib
+import io
+import json
+import pathlib
+import re
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+sys.path.insert(0, str(HERE.parent.parent / "postprocess"))
+
+import report
+import synthetic
+from morsel_report import food, reader, style
+
+
+class ReportTest(unittest.TestCase):
+    """Each test has a folder of its own."""
+
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(self.temporary.cleanup)
+        self.folder = pathlib.Path(self.temporary.name) / "run"
+        self.folder.mkdir()
+
+    def report(self):
+        """Makes the report; its text."""
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            self.assertEqual(report.main([str(self.folder)]), 0)
+        self.assertIn("report.html", out.getvalue())
+        return (self.folder / "report.html").read_text(encoding="utf-8")
+
+    def figures(self):
+        """The names of the figures that were saved."""
+        return {f.stem for f in (self.folder / "figures").glob("*.png")}
+
+    def test_complete_run(self):
+        synthetic.write_run(self.folder, across=31)
+        page = self.report()
+        self.assertEqual(self.figures(), {
+            "moments", "fragments", "force", "stress_strain", "energy",
+            "fragment_sizes", "failed_share"})
+        self.assertEqual(page.count("data:image/png;base64,"), 7)
+        for text in ("Roasted peanut, one chewing stroke", "broke completely",
+                     "101.5\u202fkPa", "not quasi-static", "9f2c41d7",
+                     "1.31", "artificial viscosity"):
+            self.assertIn(text, page)
+        # Nothing is fetched, and nothing is a script.
+        self.assertFalse(re.search(r'(src|href)="(?!data:)', page))
+        self.assertNotIn("<script", page)
+
+    def test_scene_without_damage(self):
+        synthetic.write_fields(self.folder, across=11, fields=False)
+        synthetic.write_history(self.folder, complete=False)
+        synthetic.write_summary(self.folder)
+        self.report()
+        self.assertEqual(self.figures(), {"moments", "force",
+                                          "stress_strain"})
+
+    def test_scene_without_particles(self):
+        (self.folder / "summary.json").write_text(json.dumps({
+            "stress_intensity_I": synthetic.entry(
+                663.1, "Pa sqrt(m)", "by interaction integral", 663.4)}),
+            encoding="utf-8")
+        page = self.report()
+        self.assertEqual(self.figures(), set())
+        self.assertIn("663.1\u202fPa √m", page)
+        self.assertIn("no particle fields", page)
+
+    def test_run_that_was_killed(self):
+        synthetic.write_history(self.folder)
+        with open(self.folder / "history.csv", "a",
+                  encoding="utf-8") as stream:
+            stream.write("0.1,0.2")
+        page = self.report()
+        self.assertIn("summary.json is missing", page)
+        self.assertIn("energy", self.figures())
+
+    def test_old_figures_do_not_stay(self):
+        synthetic.write_history(self.folder, complete=False)
+        (self.folder / "figures").mkdir()
+        (self.folder / "figures" / "energy.png").write_bytes(b"old")
+        self.report()
+        self.assertNotIn("energy", self.figures())
+
+    def test_no_run(self):
+        for folder in (self.folder, self.folder / "nowhere"):
+            with contextlib.redirect_stderr(io.StringIO()) as error:
+                self.assertEqual(report.main([str(folder)]), 2)
+            self.assertEqual(error.getvalue().count("\n"), 1)
+            self.assertIn(str(folder), error.getvalue())
+
+    def test_reading(self):
+        synthetic.write_run(self.folder, across=11)
+        run = reader.Run(self.folder)
+        frames, name = run.food()
+        self.assertEqual(name, "food")
+        self.assertEqual(len(frames), 21)
+        self.assertEqual(frames[0].points().shape, (121, 2))
+        self.assertEqual(frames[0].read("velocity").shape, (121, 2))
+        self.assertAlmostEqual(food.spacing_of(frames[0].points()),
+                               0.01 / 11, places=9)
+        self.assertEqual(run.plate_names(), ["upper_plate", "lower_plate"])
+        self.assertEqual(run.units["nominal_stress"], "Pa")
+
+    def test_numbers(self):
+        self.assertEqual(style.quantity(101200.0, "Pa"), "101.2\u202fkPa")
+        self.assertEqual(style.quantity(0.0045, "J", 3), "4.50\u202fmJ")
+        self.assertEqual(style.quantity(10201, "1"), "10\u202f201")
+        self.assertEqual(style.quantity(1.5, "1/sqrt(mm)", 3),
+                         "1.50\u202f1/√mm")
+        self.assertEqual(style.percent(-0.2), "−20.0\u202f%")
+        self.assertEqual(style.quantity(0.0, "N"), "0\u202fN")
+
+
+if __name__ == "__main__":
+    unittest.main()
