@@ -61,8 +61,8 @@ namespace Morsel
                    command_line.overrides,
                    "Override an entry of the scene; may be repeated")
         ->type_name("\"Section/Sub/Key=value\"")
-        ->expected(1)
-        ->take_all();
+        ->take_all()
+        ->allow_extra_args(false);
     app.add_option("--output",
                    command_line.run.output_directory,
                    "Folder of results (default: output/<scene name>)")

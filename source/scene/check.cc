@@ -288,7 +288,18 @@ namespace Morsel::Scene
           scene.rigid_bodies.end(),
           [&](const RigidBody &b) { return b.name == pair.plate; });
       const double gap = -overlap(food->shape, plate->shape);
-      if (gap <= food->spacing)
+      // The potential reaches 1.5 spacings from a particle's centre, which
+      // lies half a spacing inside of the food.
+      if (scene.contact.law == "potential" && gap < (1. - 1e-6) * food->spacing)
+        findings.mistake(
+            "Body " + plate->name + "/Shape/Lower corner",
+            "the plate stands " + number_text(gap) + " m off '" + food->name +
+                "', within the range of the contact potential, "
+                "which would push at once; begin at least one "
+                "particle spacing (" +
+                number_text(food->spacing) +
+                " m) away, or take 'Contact/Law' = 'gap penalty'.");
+      if (gap <= 1.01 * food->spacing)
         return;
 
       const double speed =

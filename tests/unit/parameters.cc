@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(a_file_gives_its_entries_in_order)
   BOOST_TEST(entries[0].value == "linear");
   BOOST_TEST(entries[0].where == file + ":2");
   BOOST_TEST(entries[1].path() == "Body food/Long value");
-  BOOST_TEST(entries[1].value == "1,2");
+  BOOST_TEST(entries[1].value == "1, 2");
   BOOST_TEST(entries[1].where == file + ":4");
 }
 

@@ -40,8 +40,11 @@ namespace Morsel::Materials
     double strength_ratio = 10.;
     /// The softening ends at this multiple of the threshold [1].
     double softening_range = 10.;
-    /// Bulk factor c of the threshold rule r_i = c w_i / b [1].
-    double threshold_factor = 1.;
+    /// Factor c of the threshold rule r_i = c w_i / b [1]: 1.16 makes the
+    /// mean strength of a block of 101 x 101 particles between plates the
+    /// prescribed one (peanut, almond and carrot, three seeds; the seeds
+    /// scatter by 4 %).
+    double threshold_factor = 1.16;
     /// Tensile cut-off is off within this many spacings of loaded faces [1].
     double face_exclusion = 2.5;
     /// Driver from the stress averaged over undamaged neighbours.
