@@ -69,17 +69,69 @@ namespace Morsel::FE
         }
       e.dofs = masters;
     }
+
+    /// All ranks' elements on rank 0, in an order that does not depend on how
+    /// they were distributed.
+    std::vector<ElementSystem>
+    gather_elements(std::vector<ElementSystem> &&mine,
+                    const MPI_Comm               communicator)
+    {
+      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+        return std::move(mine);
+      std::vector<double> packed;
+      for (const ElementSystem &e : mine)
+        {
+          packed.push_back(e.dofs.size());
+          packed.push_back(e.center[0]);
+          packed.push_back(e.center[1]);
+          packed.insert(packed.end(), e.dofs.begin(), e.dofs.end());
+          packed.insert(
+              packed.end(), e.rhs.data(), e.rhs.data() + e.rhs.size());
+          packed.insert(
+              packed.end(), e.matrix.data(), e.matrix.data() + e.matrix.size());
+        }
+      mine.clear();
+      const auto parts = Utilities::MPI::gather(communicator, packed, 0);
+      std::vector<ElementSystem> all;
+      for (const std::vector<double> &part : parts)
+        for (std::size_t i = 0; i < part.size();)
+          {
+            const unsigned int n = part[i];
+            ElementSystem      e;
+            e.center = Point<2>(part[i + 1], part[i + 2]);
+            i += 3;
+            e.dofs.assign(part.begin() + i, part.begin() + i + n);
+            e.rhs = Eigen::Map<const Eigen::VectorXd>(&part[i + n], n);
+            e.matrix =
+                Eigen::Map<const Eigen::MatrixXd>(&part[i + 2 * n], n, n);
+            i += 2 * n + n * n;
+            all.push_back(std::move(e));
+          }
+      return all;
+    }
   } // namespace
+
+
+  unsigned int
+  ElasticProblem::n_free_dofs(
+      const AffineConstraints<double> &constraints) const
+  {
+    unsigned int n = 0;
+    for (const types::global_dof_index d :
+         space.get_dof_handler().locally_owned_dofs())
+      n += constraints.is_constrained(d) ? 0 : 1;
+    return Utilities::MPI::sum(
+        n, space.get_dof_handler().get_triangulation().get_communicator());
+  }
 
 
   ElasticProblem::Solution
   ElasticProblem::solve_multifrontal(
       const AffineConstraints<double> &constraints)
   {
-    const auto &handler = space.get_dof_handler();
-    AssertThrow(Utilities::MPI::n_mpi_processes(
-                    handler.get_triangulation().get_communicator()) == 1,
-                ExcMessage("The multifrontal solver runs on one rank."));
+    const auto    &handler = space.get_dof_handler();
+    const MPI_Comm communicator =
+        handler.get_triangulation().get_communicator();
     Timer                                timer;
     std::vector<ElementSystem>           elements;
     std::vector<types::global_dof_index> dofs;
@@ -99,15 +151,20 @@ namespace Morsel::FE
     });
     report.assembly_time = timer.wall_time();
     timer.restart();
-    Multifrontal          multifrontal;
-    const Eigen::VectorXd x =
-        multifrontal.solve(std::move(elements), handler.n_dofs());
+    Multifrontal    multifrontal;
+    Eigen::VectorXd x;
+    elements = gather_elements(std::move(elements), communicator);
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      x = multifrontal.solve(std::move(elements), handler.n_dofs());
+    else
+      x.resize(handler.n_dofs());
+    MPI_Bcast(x.data(), x.size(), MPI_DOUBLE, 0, communicator);
     Solution solution = make_solution();
-    for (unsigned int i = 0; i < x.size(); ++i)
+    for (const types::global_dof_index i : handler.locally_owned_dofs())
       solution(i) = x(i);
     constraints.distribute(solution);
     report.solver           = "multifrontal Cholesky";
-    report.n_dofs           = handler.n_dofs() - constraints.n_constraints();
+    report.n_dofs           = n_free_dofs(constraints);
     report.n_dropped_pivots = multifrontal.n_dropped_pivots();
     report.smallest_pivot   = multifrontal.smallest_relative_pivot();
     report.solve_time       = timer.wall_time();
@@ -147,7 +204,7 @@ namespace Morsel::FE
     for (unsigned int i = 0; i < x.size(); ++i)
       solution(i) = x(i);
     report.solver     = "UMFPACK";
-    report.n_dofs     = handler.n_dofs() - constraints.n_constraints();
+    report.n_dofs     = n_free_dofs(constraints);
     report.solve_time = timer.wall_time();
     return solution;
   }

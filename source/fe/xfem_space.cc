@@ -402,6 +402,11 @@ namespace Morsel::FE
                   first.insert({{cell->vertex_index(v), place}, dofs[local]});
               if (fresh || entry->second == dofs[local])
                 continue;
+              // Tied already, from another of the vertex's cells?
+              const auto *tie = constraints.get_constraint_entries(dofs[local]);
+              if (tie != nullptr && tie->size() == 1 &&
+                  (*tie)[0].first == entry->second)
+                continue;
               types::global_dof_index slave = dofs[local];
               types::global_dof_index other = entry->second;
               if (constraints.is_constrained(slave))

@@ -31,7 +31,7 @@ namespace Morsel::FE
 
   enum class SolverKind
   {
-    multifrontal, ///< Cholesky by elements, one rank
+    multifrontal, ///< Cholesky by elements, factorised on the first rank
     umfpack,      ///< LU of the assembled matrix, one rank
     iterative     ///< CG, direct solve on the enriched region, AMG elsewhere
   };
@@ -91,6 +91,14 @@ namespace Morsel::FE
     double
     traction_work(const Solution &solution) const;
 
+    /// The traction that a stress on the boundary fails to balance [Pa]:
+    /// sigma n minus what is applied there, in the directions not held.
+    dealii::Tensor<1, 2>
+    missed_traction(const dealii::types::boundary_id     id,
+                    const dealii::Point<2>              &p,
+                    const dealii::Tensor<1, 2>          &normal,
+                    const dealii::SymmetricTensor<2, 2> &stress) const;
+
     const XFEMSpace &
     get_space() const
     {
@@ -125,6 +133,8 @@ namespace Morsel::FE
     solve_iterative(const dealii::AffineConstraints<double> &constraints);
     Solution
     make_solution() const;
+    unsigned int
+    n_free_dofs(const dealii::AffineConstraints<double> &constraints) const;
 
     const XFEMSpace                                                 &space;
     Fracture::ElasticPlane                                           material;
