@@ -67,6 +67,43 @@ namespace Morsel::FE
              distance_to_polygon(tip.position, map.polygon()) <=
                  touching * size;
     }
+
+
+    /// Marks the hanging vertices that depend on a marked one, down to the
+    /// finest cells. Without them a function of a marked vertex would end
+    /// inside its own support and would have to vanish altogether. This comes
+    /// after all steps to coarser cells and is not followed by any, or the
+    /// marks would run along the interface.
+    void
+    spread_to_children(XFEMSpace::VertexField          &marks,
+                       const AffineConstraints<double> &hanging,
+                       const MPI_Comm                   communicator)
+    {
+      const auto &partitioner = *marks.get_partitioner();
+      for (bool changed = true; changed;)
+        {
+          XFEMSpace::VertexField additions(marks);
+          additions         = 0.;
+          unsigned int news = 0;
+          for (const auto &line : hanging.get_lines())
+            if ((partitioner.in_local_range(line.index) ||
+                 partitioner.is_ghost_entry(line.index)) &&
+                marks(line.index) == 0. &&
+                std::any_of(
+                    line.entries.begin(),
+                    line.entries.end(),
+                    [&](const auto &entry) { return marks(entry.first) > 0.; }))
+              {
+                additions(line.index) += 1.;
+                ++news;
+              }
+          additions.compress(VectorOperation::add);
+          marks.zero_out_ghost_values();
+          marks += additions;
+          marks.update_ghost_values();
+          changed = Utilities::MPI::max(news, communicator) > 0;
+        }
+    }
   } // namespace
 
 
@@ -162,7 +199,11 @@ namespace Morsel::FE
       spread_to_parents(marks);
     };
     for (VertexField &marks : jump_marks)
-      finish(marks);
+      {
+        finish(marks);
+        spread_to_children(
+            marks, vertex_hanging, triangulation->get_communicator());
+      }
     AffineConstraints<double> interpolation(relevant);
     interpolation.merge(vertex_hanging);
     interpolation.close();
