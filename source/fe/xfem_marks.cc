@@ -23,7 +23,7 @@ namespace Morsel::FE
     constexpr double touching = 1e-6;
 
     /// Pieces below this share of a cell's area do not count as cut off.
-    constexpr double sliver = 1e-10;
+    constexpr double sliver = 1e-7;
 
 
     /// Cheap test before the exact one: whether the crack's bounding box
