@@ -19,7 +19,12 @@ namespace Morsel::FE
     {
       const QuadMap         map = make_map(cell);
       std::vector<Point<2>> reference;
+      // Points a little inside the cell: a face that lies along a crack has
+      // another stress on either side.
+      std::vector<Point<2>> inside;
       for (const Point<2> &p : points)
+        inside.push_back(p + 1e-8 * (cell->center() - p));
+      for (const Point<2> &p : inside)
         reference.push_back(map.to_reference(p));
       std::vector<types::global_dof_index> dofs(
           cell->get_fe().n_dofs_per_cell());
@@ -29,7 +34,7 @@ namespace Morsel::FE
         local.push_back(solution(d));
       CellFunctions functions(problem.get_space());
       const auto    samples = functions.sample(
-          cell, map, functions.coefficients(cell, local), points, reference);
+          cell, map, functions.coefficients(cell, local), inside, reference);
       std::vector<SymmetricTensor<2, 2>> result;
       for (const auto &sample : samples)
         result.push_back(problem.get_material().stress(sample.gradient));

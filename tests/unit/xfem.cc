@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(asymptotic_field_as_boundary_data)
     {
       const Crack crack(
           {Point<2>(-2, 0.01), Point<2>(0.02, 0.01)}, false, true);
-      Square         square(crack, 15, 2, 0.5, shift);
+      Square         square(crack, 21, 2, 0.5, shift);
       const CrackTip tip = square.space.get_tips()[0];
       square.problem.prescribe({0, 1, 2, 3},
                                [&](const Point<2> &p, const Tensor<1, 2> &) {
