@@ -2,6 +2,7 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/failure.h>
 #include <morsel/core/signals.h>
+#include <morsel/fracture_run.h>
 #include <morsel/scene/read.h>
 #include <morsel/simulation.h>
 
@@ -48,6 +49,11 @@ namespace
                        "results to go on from; leave the option out to start "
                        "anew.");
 
+    if (is_fracture_scene(command_line.scene_file, command_line.overrides))
+      {
+        run_fracture_scene(command_line);
+        return;
+      }
     const Scene::Scene scene   = read_scene_on_all_ranks(command_line);
     RunOptions         options = command_line.run;
     if (options.threads > 0)
@@ -88,6 +94,10 @@ main(int argc, char **argv)
     FirstRank first_rank;
     if (!command_line.message.empty())
       first_rank.run([&] { std::cout << command_line.message; });
+    else if (!command_line.print_parameters.empty() &&
+             is_fracture_scene(command_line.scene_file, command_line.overrides))
+      first_rank.run(
+          [&] { std::cout << fracture_parameters(command_line); });
     else if (!command_line.print_parameters.empty())
       first_rank.run([&] {
         std::cout << Scene::print_parameters(

@@ -1,0 +1,91 @@
+#ifndef morsel_fe_plate_setup_h
+#define morsel_fe_plate_setup_h
+
+#include <morsel/fracture/crack.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace Morsel::FE
+{
+  /// Everything that a static computation of a cracked plate is about.
+  struct PlateParameters
+  {
+    std::string name;
+    std::string title;
+    std::string method = "XFEM";
+
+    dealii::Point<2>      lower_corner;
+    dealii::Point<2>      upper_corner{0.01, 0.01}; ///< [m]
+    unsigned int          cells_x = 13, cells_y = 13;
+    std::array<double, 2> line_shift{{0., 0.}}; ///< [cells]
+
+    double youngs_modulus = 1e7; ///< [Pa]
+    double poissons_ratio = 0.3;
+    bool   plane_stress   = false;
+
+    std::string crack_form  = "paths"; ///< or "inclined"
+    std::string paths       = "";      ///< "x, y > x, y; ..."
+    std::string centre      = "0.005, 0.005";
+    double      half_length = 5e-4; ///< [m]
+    double      angle       = 0.;   ///< from the x axis [degrees]
+
+    /// By side: left, right, bottom, top.
+    std::array<std::string, 4> support{{"free", "free", "free", "free"}};
+    std::array<std::string, 4> traction{{"0, 0", "0, 0", "0, 0", "0, 0"}};
+
+    unsigned int degree             = 4;
+    unsigned int tip_degree         = 3;
+    double       enrichment_radius  = 8e-4; ///< [m]
+    bool         ramp               = true;
+    unsigned int corner_refinements = 6;
+    unsigned int tip_refinements    = 0;
+    double       layers             = 0.5;
+    unsigned int adaptive_steps     = 0;
+    double       refined_share      = 0.1;
+    std::string  solver             = "multifrontal";
+
+    double      ring_radius   = 0.; ///< [m], 0: the largest that fits
+    double      energy_growth = 0.; ///< [m], 0: no energy route
+    std::string formula       = "none";
+    double      reference_I   = 0.; ///< [Pa sqrt(m)], 0: none
+    double      reference_II  = 0.; ///< [Pa sqrt(m)], 0: none
+
+    /// Binds all members to entries.
+    void
+    declare(dealii::ParameterHandler &prm);
+  };
+
+
+  /// The cracks of the parameters: an end on or outside the plate's boundary
+  /// is a mouth, the others are tips.
+  /// @throws InputError for a crack outside the plate, of no length, crossing
+  ///   another one or itself, or cutting off a part that nothing holds
+  std::vector<Fracture::Crack>
+  make_cracks(const PlateParameters &parameters);
+
+
+  /// Checks what no single entry shows.
+  /// @throws InputError, one sentence
+  void
+  check(const PlateParameters &parameters);
+
+
+  /// Two numbers "x, y".
+  /// @throws InputError naming the entry if the text is anything else
+  dealii::Point<2>
+  read_pair(const std::string &text, const std::string &entry);
+
+
+  /// K_I of the formula named [Pa sqrt(m)], 0 for "none". "edge crack in
+  /// tension" is T3-48, sigma sqrt(pi a) Y(a/W).
+  double
+  formula_stress_intensity(const PlateParameters              &parameters,
+                           const std::vector<Fracture::Crack> &cracks);
+} // namespace Morsel::FE
+
+#endif

@@ -1,0 +1,406 @@
+#include <morsel/fe/cut_quadrature.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace Morsel::FE
+{
+  using namespace dealii;
+
+  namespace
+  {
+    double
+    cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+
+
+    double
+    diameter(const Polygon &polygon)
+    {
+      double d = 0.;
+      for (const Point<2> &a : polygon)
+        for (const Point<2> &b : polygon)
+          d = std::max(d, a.distance(b));
+      return d;
+    }
+
+
+    bool
+    contains(const Polygon &polygon, const Point<2> &p)
+    {
+      for (unsigned int i = 0; i < polygon.size(); ++i)
+        if (cross(polygon[(i + 1) % polygon.size()] - polygon[i],
+                  p - polygon[i]) < 0.)
+          return false;
+      return true;
+    }
+
+
+    Point<2>
+    nearest_on_segment(const Point<2> &p, const Point<2> &a, const Point<2> &b)
+    {
+      const Tensor<1, 2> d = b - a;
+      const double       l = d.norm_square();
+      return l == 0. ? a : a + std::clamp(((p - a) * d) / l, 0., 1.) * d;
+    }
+
+
+    Point<2>
+    nearest_in_polygon(const Point<2> &p, const Polygon &polygon)
+    {
+      if (contains(polygon, p))
+        return p;
+      Point<2> best;
+      double   distance = std::numeric_limits<double>::max();
+      for (unsigned int i = 0; i < polygon.size(); ++i)
+        {
+          const Point<2> c = nearest_on_segment(
+              p, polygon[i], polygon[(i + 1) % polygon.size()]);
+          if (c.distance(p) < distance)
+            {
+              distance = c.distance(p);
+              best     = c;
+            }
+        }
+      return best;
+    }
+
+
+    /// Points of a triangle (apex, a, b) seen from its apex.
+    /// @param scale distance of the singular point from the apex [m]
+    void
+    add_fan_triangle(const Point<2>    &apex,
+                     const Point<2>    &a,
+                     const Point<2>    &b,
+                     const double       scale,
+                     const unsigned int n,
+                     CellQuadrature    &quadrature)
+    {
+      const Tensor<1, 2> ea         = a - apex;
+      const Tensor<1, 2> eb         = b - apex;
+      const double       twice_area = cross(ea, eb);
+      const double       reach      = std::max(ea.norm(), eb.norm());
+      if (twice_area <= 1e-30 * reach * reach)
+        return;
+
+      // Radial intervals: [0, 1] with rho = s^2, which makes half-integer
+      // powers of the radius polynomials; away from the singular point plain
+      // intervals that grow with the distance from it.
+      std::vector<double> limits(1, 0.);
+      const double        relative = scale / reach;
+      if (relative > 1e-12)
+        for (double l = relative; l < 0.5; l *= 3.)
+          limits.push_back(l);
+      limits.push_back(1.);
+
+      const GaussRule &radial  = gauss_rule(2 * n - 2);
+      const GaussRule &plain   = gauss_rule(n + 1);
+      const GaussRule &angular = gauss_rule(n);
+      for (unsigned int k = 0; k + 1 < limits.size(); ++k)
+        {
+          const bool       singular = limits.size() == 2 && relative <= 1e-12;
+          const GaussRule &rule     = singular ? radial : plain;
+          const double     width    = limits[k + 1] - limits[k];
+          for (unsigned int i = 0; i < rule.points.size(); ++i)
+            {
+              const double s   = rule.points[i];
+              const double rho = singular ? s * s : limits[k] + width * s;
+              const double w   = rule.weights[i] * (singular ? 2. * s : width);
+              for (unsigned int j = 0; j < angular.points.size(); ++j)
+                {
+                  const double t = angular.points[j];
+                  quadrature.points.push_back(apex +
+                                              rho * ((1. - t) * ea + t * eb));
+                  quadrature.weights.push_back(w * angular.weights[j] * rho *
+                                               twice_area);
+                }
+            }
+        }
+    }
+
+
+    /// Splits the edge ab until it is seen from the apex under a moderate
+    /// angle and at distances of one order: the integrand then varies slowly
+    /// along it however close the apex lies.
+    void
+    add_fan(const Point<2>    &apex,
+            const Point<2>    &a,
+            const Point<2>    &b,
+            const double       scale,
+            const unsigned int n,
+            CellQuadrature    &quadrature,
+            const unsigned int depth = 0)
+    {
+      const Tensor<1, 2> ea = a - apex;
+      const Tensor<1, 2> eb = b - apex;
+      const double       ra = ea.norm(), rb = eb.norm();
+      const double       far = std::max(ra, rb);
+      if (std::min(ra, rb) <= 1e-13 * far ||
+          std::abs(cross(ea, eb)) <= 1e-13 * far * far)
+        return;
+      const double cosine = (ea * eb) / (ra * rb);
+      if (depth < 30 && (cosine < 0.4 || far > 2.5 * std::min(ra, rb)))
+        {
+          // Split at the foot of the perpendicular if it is inside, else
+          // where the distance is the geometric mean of the two ends'.
+          const Tensor<1, 2> e      = b - a;
+          const double       length = e.norm();
+          const double       sa     = (ea * e) / length;
+          const double       sb     = (eb * e) / length;
+          const double       height = std::abs(cross(ea, e)) / length;
+          double             sm     = 0.;
+          if (sa > -1e-9 * length || sb < 1e-9 * length)
+            {
+              const double reach =
+                  std::sqrt(std::max(0., ra * rb - height * height));
+              sm = sa > -1e-9 * length ? reach : -reach;
+            }
+          const double t = (sm - sa) / length;
+          if (t > 1e-12 && t < 1. - 1e-12)
+            {
+              const Point<2> m = a + t * e;
+              add_fan(apex, a, m, scale, n, quadrature, depth + 1);
+              add_fan(apex, m, b, scale, n, quadrature, depth + 1);
+              return;
+            }
+        }
+      add_fan_triangle(apex, a, b, scale, n, quadrature);
+    }
+
+
+    void
+    add_triangle(const Point<2>    &a,
+                 const Point<2>    &b,
+                 const Point<2>    &c,
+                 const unsigned int n,
+                 CellQuadrature    &quadrature)
+    {
+      const double twice_area = cross(b - a, c - a);
+      if (twice_area <= 0.)
+        return;
+      const GaussRule &radial = gauss_rule(n + 1);
+      const GaussRule &along  = gauss_rule(n);
+      for (unsigned int i = 0; i < radial.points.size(); ++i)
+        for (unsigned int j = 0; j < along.points.size(); ++j)
+          {
+            const double s = radial.points[i], t = along.points[j];
+            quadrature.points.push_back(a +
+                                        s * ((1. - t) * (b - a) + t * (c - a)));
+            quadrature.weights.push_back(radial.weights[i] * along.weights[j] *
+                                         s * twice_area);
+          }
+    }
+  } // namespace
+
+
+  const GaussRule &
+  gauss_rule(const unsigned int n)
+  {
+    static std::array<GaussRule, 65> rules;
+    static std::mutex                mutex;
+    AssertIndexRange(n, rules.size());
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (rules[n].points.empty())
+      {
+        const QGauss<1> gauss(n);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            rules[n].points.push_back(gauss.point(i)[0]);
+            rules[n].weights.push_back(gauss.weight(i));
+          }
+      }
+    return rules[n];
+  }
+
+
+  double
+  polygon_area(const Polygon &polygon)
+  {
+    double area = 0.;
+    for (unsigned int i = 1; i + 1 < polygon.size(); ++i)
+      area += 0.5 * cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+    return area;
+  }
+
+
+  std::pair<Polygon, Polygon>
+  cut_polygon(const Polygon  &polygon,
+              const Point<2> &a,
+              const Point<2> &b,
+              const double    tolerance)
+  {
+    const Tensor<1, 2>  direction = (b - a) / (b - a).norm();
+    std::vector<double> height;
+    for (const Point<2> &p : polygon)
+      {
+        const double h = cross(direction, p - a);
+        height.push_back(std::abs(h) <= tolerance ? 0. : h);
+      }
+    Polygon left, right;
+    for (unsigned int i = 0; i < polygon.size(); ++i)
+      {
+        const unsigned int j = (i + 1) % polygon.size();
+        if (height[i] >= 0.)
+          left.push_back(polygon[i]);
+        if (height[i] <= 0.)
+          right.push_back(polygon[i]);
+        if ((height[i] > 0. && height[j] < 0.) ||
+            (height[i] < 0. && height[j] > 0.))
+          {
+            const double   t = height[i] / (height[i] - height[j]);
+            const Point<2> p = polygon[i] + t * (polygon[j] - polygon[i]);
+            left.push_back(p);
+            right.push_back(p);
+          }
+      }
+    const auto drop_if_flat = [&](Polygon &part) {
+      if (part.size() < 3)
+        part.clear();
+    };
+    drop_if_flat(left);
+    drop_if_flat(right);
+    return {left, right};
+  }
+
+
+  double
+  distance_to_polygon(const Point<2> &p, const Polygon &polygon)
+  {
+    return p.distance(nearest_in_polygon(p, polygon));
+  }
+
+
+  double
+  distance_to_polygon(const Fracture::Crack &crack, const Polygon &polygon)
+  {
+    const auto &v    = crack.get_vertices();
+    Polygon     loop = polygon;
+    loop.push_back(polygon[0]);
+    double best = std::numeric_limits<double>::max();
+    for (unsigned int s = 0; s + 1 < v.size(); ++s)
+      {
+        if (contains(polygon, v[s]) || contains(polygon, v[s + 1]))
+          return 0.;
+        for (unsigned int i = 0; i + 1 < loop.size(); ++i)
+          {
+            const double pa = cross(v[s + 1] - v[s], loop[i] - v[s]);
+            const double pb = cross(v[s + 1] - v[s], loop[i + 1] - v[s]);
+            const double ap = cross(loop[i + 1] - loop[i], v[s] - loop[i]);
+            const double bp = cross(loop[i + 1] - loop[i], v[s + 1] - loop[i]);
+            if (pa * pb < 0. && ap * bp < 0.)
+              return 0.;
+            using Fracture::distance_to_segment;
+            best =
+                std::min({best,
+                          distance_to_segment(v[s], loop[i], loop[i + 1]),
+                          distance_to_segment(v[s + 1], loop[i], loop[i + 1]),
+                          distance_to_segment(loop[i], v[s], v[s + 1])});
+          }
+      }
+    return best;
+  }
+
+
+  std::vector<Polygon>
+  cut_into_pieces(const Polygon                      &polygon,
+                  const std::vector<Fracture::Crack> &cracks)
+  {
+    const double         size      = diameter(polygon);
+    const double         tolerance = 1e-10 * size;
+    std::vector<Polygon> pieces(1, polygon);
+    for (const Fracture::Crack &crack : cracks)
+      {
+        const auto &v = crack.get_vertices();
+        for (unsigned int s = 0; s + 1 < v.size(); ++s)
+          {
+            const Fracture::Crack segment({v[s], v[s + 1]}, true, true);
+            if (distance_to_polygon(segment, polygon) > 1e-6 * size)
+              continue;
+            std::vector<Polygon> cut;
+            for (const Polygon &piece : pieces)
+              {
+                const auto [left, right] =
+                    cut_polygon(piece, v[s], v[s + 1], tolerance);
+                if (left.empty() || right.empty())
+                  cut.push_back(piece);
+                else
+                  {
+                    cut.push_back(left);
+                    cut.push_back(right);
+                  }
+              }
+            pieces.swap(cut);
+          }
+      }
+    return pieces;
+  }
+
+
+  CellQuadrature
+  gauss_quadrature(const QuadMap &map, const unsigned int n)
+  {
+    const GaussRule &rule = gauss_rule(n);
+    CellQuadrature   quadrature;
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const Point<2> xi(rule.points[i], rule.points[j]);
+          quadrature.reference.push_back(xi);
+          quadrature.points.push_back(map.to_physical(xi));
+          quadrature.weights.push_back(rule.weights[i] * rule.weights[j] *
+                                       determinant(map.jacobian(xi)));
+        }
+    return quadrature;
+  }
+
+
+  CellQuadrature
+  cut_quadrature(const QuadMap               &map,
+                 const std::vector<Polygon>  &pieces,
+                 const std::vector<Point<2>> &tips,
+                 const unsigned int           n)
+  {
+    CellQuadrature quadrature;
+    for (const Polygon &piece : pieces)
+      {
+        const double size     = diameter(piece);
+        double       distance = std::numeric_limits<double>::max();
+        Point<2>     apex;
+        for (const Point<2> &tip : tips)
+          {
+            const Point<2> c = nearest_in_polygon(tip, piece);
+            if (c.distance(tip) < distance)
+              {
+                distance = c.distance(tip);
+                apex     = c;
+              }
+          }
+        // Beyond that a Gauss rule of this order converges fast enough: by
+        // (z + sqrt(z^2 - 1))^(-2n) with z = 1 + 2 distance/width.
+        if (distance < 0.2 * size)
+          for (unsigned int i = 0; i < piece.size(); ++i)
+            add_fan(apex,
+                    piece[i],
+                    piece[(i + 1) % piece.size()],
+                    distance > 1e-12 * size ? distance : 0.,
+                    n,
+                    quadrature);
+        else if (pieces.size() == 1)
+          return gauss_quadrature(map, n);
+        else
+          for (unsigned int i = 1; i + 1 < piece.size(); ++i)
+            add_triangle(piece[0], piece[i], piece[i + 1], n, quadrature);
+      }
+    quadrature.reference.reserve(quadrature.points.size());
+    for (const Point<2> &p : quadrature.points)
+      quadrature.reference.push_back(map.to_reference(p));
+    return quadrature;
+  }
+} // namespace Morsel::FE

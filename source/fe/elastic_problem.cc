@@ -1,0 +1,390 @@
+#include <morsel/core/errors.h>
+#include <morsel/fe/cell_functions.h>
+#include <morsel/fe/elastic_problem.h>
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace Morsel::FE
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Relative stiffness given to the enriched functions: it bounds the
+    /// condition number and stays far below the discretisation error.
+    constexpr double regularisation = 1e-12;
+
+
+    /// Vertices of a face, counter-clockwise with respect to the cell.
+    std::array<unsigned int, 2>
+    face_vertices(const unsigned int face)
+    {
+      constexpr std::array<std::array<unsigned int, 2>, 4> vertices = {
+          {{{2, 0}}, {{1, 3}}, {{0, 1}}, {{3, 2}}}};
+      return vertices[face];
+    }
+
+
+    Tensor<1, 2>
+    outward_normal(const QuadMap &map, const unsigned int face)
+    {
+      const auto         v = face_vertices(face);
+      const Tensor<1, 2> t =
+          map.get_vertices()[v[1]] - map.get_vertices()[v[0]];
+      return Tensor<1, 2>({t[1], -t[0]}) / t.norm();
+    }
+  } // namespace
+
+
+  CellQuadrature
+  face_quadrature(const QuadMap                      &map,
+                  const unsigned int                  face,
+                  const std::vector<Fracture::Crack> &cracks,
+                  const unsigned int                  n)
+  {
+    const auto          v      = face_vertices(face);
+    const Point<2>      a      = map.get_vertices()[v[0]];
+    const Tensor<1, 2>  t      = map.get_vertices()[v[1]] - a;
+    std::vector<double> limits = {0., 1.};
+    for (const Fracture::Crack &crack : cracks)
+      {
+        const auto &c = crack.get_vertices();
+        for (unsigned int s = 0; s + 1 < c.size(); ++s)
+          {
+            const Tensor<1, 2> d           = c[s + 1] - c[s];
+            const Tensor<1, 2> g           = c[s] - a;
+            const double       determinant = t[1] * d[0] - t[0] * d[1];
+            if (std::abs(determinant) < 1e-14 * t.norm() * d.norm())
+              continue;
+            const double on_face  = (g[1] * d[0] - g[0] * d[1]) / determinant;
+            const double on_crack = (g[1] * t[0] - g[0] * t[1]) / determinant;
+            if (on_crack > -1e-10 && on_crack < 1. + 1e-10 && on_face > 1e-12 &&
+                on_face < 1. - 1e-12)
+              limits.push_back(on_face);
+          }
+      }
+    std::sort(limits.begin(), limits.end());
+    CellQuadrature   quadrature;
+    const GaussRule &rule = gauss_rule(n);
+    for (unsigned int k = 0; k + 1 < limits.size(); ++k)
+      for (unsigned int q = 0; q < n; ++q)
+        {
+          const double width = limits[k + 1] - limits[k];
+          quadrature.points.push_back(a +
+                                      (limits[k] + width * rule.points[q]) * t);
+          quadrature.weights.push_back(width * rule.weights[q] * t.norm());
+          quadrature.reference.push_back(
+              map.to_reference(quadrature.points.back()));
+        }
+    return quadrature;
+  }
+
+
+  ElasticProblem::ElasticProblem(const XFEMSpace              &space,
+                                 const Fracture::ElasticPlane &material)
+      : space(space)
+      , material(material)
+  {}
+
+
+  void
+  ElasticProblem::apply_traction(const types::boundary_id id,
+                                 const Field             &traction)
+  {
+    tractions.emplace_back(id, traction);
+  }
+
+
+  void
+  ElasticProblem::hold(const types::boundary_id id,
+                       const unsigned int       component)
+  {
+    AssertIndexRange(component, 2);
+    holds.emplace_back(id, component);
+  }
+
+
+  void
+  ElasticProblem::pin(const Point<2> &point, const unsigned int component)
+  {
+    AssertIndexRange(component, 2);
+    pins.emplace_back(point, component);
+  }
+
+
+  void
+  ElasticProblem::prescribe(const std::set<types::boundary_id> &ids,
+                            const Field                        &displacement)
+  {
+    // Normal equations of the L2 projection on the boundary, solved by the
+    // same factorisation as the body: dependent traces get the value zero.
+    std::vector<ElementSystem>           elements;
+    std::vector<types::global_dof_index> dofs;
+    CellFunctions                        functions(space);
+    AffineConstraints<double>            hanging(space.get_relevant_dofs());
+    hanging.merge(space.get_constraints());
+    hanging.close();
+    std::set<unsigned int> touched;
+    for (const auto &cell : space.get_dof_handler().active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        {
+          if (!cell->at_boundary(f) ||
+              ids.count(cell->face(f)->boundary_id()) == 0)
+            continue;
+          const QuadMap         map = make_map(cell);
+          const LocalNumbering &n =
+              space.get_numbering(cell->active_fe_index());
+          const CellQuadrature q =
+              face_quadrature(map, f, space.get_cracks(), n.degree + 6);
+          functions.evaluate(cell, map, q.points, q.reference);
+          const Tensor<1, 2> normal = outward_normal(map, f);
+          dofs.resize(n.kind.size());
+          cell->get_dof_indices(dofs);
+          std::vector<unsigned int> on_face;
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            if (cell->get_fe().has_support_on_face(i, f) &&
+                !hanging.is_constrained(dofs[i]))
+              on_face.push_back(i);
+          ElementSystem e;
+          e.center         = cell->face(f)->center();
+          const unsigned m = on_face.size();
+          e.matrix         = Eigen::MatrixXd::Zero(m, m);
+          e.rhs            = Eigen::VectorXd::Zero(m);
+          for (unsigned int i = 0; i < m; ++i)
+            e.dofs.push_back(dofs[on_face[i]]);
+          for (unsigned int p = 0; p < q.points.size(); ++p)
+            {
+              const Tensor<1, 2> u = displacement(q.points[p], normal);
+              for (unsigned int i = 0; i < m; ++i)
+                {
+                  const unsigned int c = n.component[on_face[i]];
+                  const double       vi =
+                      q.weights[p] *
+                      functions.values()(p, n.function[on_face[i]]);
+                  e.rhs(i) += vi * u[c];
+                  for (unsigned int j = 0; j < m; ++j)
+                    if (n.component[on_face[j]] == c)
+                      e.matrix(i, j) +=
+                          vi * functions.values()(p, n.function[on_face[j]]);
+                }
+            }
+          touched.insert(e.dofs.begin(), e.dofs.end());
+          elements.push_back(std::move(e));
+        }
+    Multifrontal          projection;
+    const Eigen::VectorXd x =
+        projection.solve(std::move(elements), space.get_dof_handler().n_dofs());
+    for (const unsigned int d : touched)
+      prescribed[d] = x(d);
+  }
+
+
+  AffineConstraints<double>
+  ElasticProblem::make_constraints() const
+  {
+    AffineConstraints<double> constraints(space.get_relevant_dofs());
+    constraints.merge(space.get_constraints());
+    std::vector<types::global_dof_index> dofs;
+    std::vector<double>                  nearest(pins.size(),
+                                std::numeric_limits<double>::max());
+    std::vector<types::global_dof_index> pinned(pins.size(),
+                                                numbers::invalid_dof_index);
+    const auto                          &handler = space.get_dof_handler();
+    for (const auto &cell : handler.active_cell_iterators())
+      {
+        if (cell->is_artificial())
+          continue;
+        const LocalNumbering &n = space.get_numbering(cell->active_fe_index());
+        dofs.resize(n.kind.size());
+        cell->get_dof_indices(dofs);
+        for (const auto &[id, component] : holds)
+          for (const unsigned int f : cell->face_indices())
+            if (cell->at_boundary(f) && cell->face(f)->boundary_id() == id)
+              for (unsigned int i = 0; i < dofs.size(); ++i)
+                if (n.component[i] == component &&
+                    cell->get_fe().has_support_on_face(i, f) &&
+                    !constraints.is_constrained(dofs[i]))
+                  constraints.add_line(dofs[i]);
+        for (unsigned int p = 0; p < pins.size(); ++p)
+          for (const unsigned int v : cell->vertex_indices())
+            if (cell->vertex(v).distance(pins[p].first) <
+                nearest[p] - 1e-12 * cell->diameter())
+              {
+                nearest[p] = cell->vertex(v).distance(pins[p].first);
+                pinned[p]  = cell->vertex_dof_index(
+                    v, pins[p].second, cell->active_fe_index());
+              }
+      }
+    for (unsigned int p = 0; p < pins.size(); ++p)
+      {
+        const double best = Utilities::MPI::min(
+            nearest[p], handler.get_triangulation().get_communicator());
+        if (nearest[p] <= best && !constraints.is_constrained(pinned[p]))
+          constraints.add_line(pinned[p]);
+      }
+    for (const auto &[dof, value] : prescribed)
+      if (!constraints.is_constrained(dof))
+        {
+          constraints.add_line(dof);
+          constraints.set_inhomogeneity(dof, value);
+        }
+    if (Utilities::MPI::n_mpi_processes(
+            handler.get_triangulation().get_communicator()) > 1)
+      constraints.make_consistent_in_parallel(
+          handler.locally_owned_dofs(),
+          space.get_relevant_dofs(),
+          handler.get_triangulation().get_communicator());
+    constraints.close();
+    return constraints;
+  }
+
+
+  void
+  ElasticProblem::add_traction(const Cell      &cell,
+                               const QuadMap   &map,
+                               Eigen::VectorXd &rhs) const
+  {
+    const LocalNumbering &n = space.get_numbering(cell->active_fe_index());
+    for (const auto &[id, traction] : tractions)
+      for (const unsigned int f : cell->face_indices())
+        {
+          if (!cell->at_boundary(f) || cell->face(f)->boundary_id() != id)
+            continue;
+          const CellQuadrature q =
+              face_quadrature(map, f, space.get_cracks(), n.degree + 4);
+          CellFunctions functions(space);
+          functions.evaluate(cell, map, q.points, q.reference);
+          const Tensor<1, 2> normal = outward_normal(map, f);
+          for (unsigned int p = 0; p < q.points.size(); ++p)
+            {
+              const Tensor<1, 2> t = traction(q.points[p], normal);
+              for (unsigned int i = 0; i < n.function.size(); ++i)
+                rhs(i) += q.weights[p] * t[n.component[i]] *
+                          functions.values()(p, n.function[i]);
+            }
+        }
+  }
+
+
+  void
+  ElasticProblem::for_each_element(
+      const std::function<void(const Cell &,
+                               const Eigen::MatrixXd &,
+                               const Eigen::VectorXd &)> &sink) const
+  {
+    // Parallelograms of one shape and degree share their stiffness, which
+    // does not depend on the size in the plane.
+    struct Shape
+    {
+      unsigned int    fe_index;
+      Tensor<2, 2>    jacobian;
+      Eigen::MatrixXd stiffness;
+    };
+    std::vector<Shape> shapes;
+    CellFunctions      functions(space);
+    for (const auto &cell : space.get_dof_handler().active_cell_iterators())
+      {
+        if (!cell->is_locally_owned())
+          continue;
+        const QuadMap         map = make_map(cell);
+        const LocalNumbering &n = space.get_numbering(cell->active_fe_index());
+        Eigen::VectorXd       rhs = Eigen::VectorXd::Zero(n.kind.size());
+        if (cell->at_boundary())
+          add_traction(cell, map, rhs);
+        const auto compute = [&]() {
+          const CellQuadrature q = functions.quadrature(cell, map, 0);
+          functions.evaluate(cell, map, q.points, q.reference);
+          return element_stiffness(
+              functions, n, q.weights, material, regularisation);
+        };
+        const CellEnrichment &e =
+            space.get_enrichment(cell->active_cell_index());
+        if (e.enriched() || e.cut || !map.is_parallelogram())
+          {
+            sink(cell, compute(), rhs);
+            continue;
+          }
+        Tensor<2, 2> shape = map.jacobian(Point<2>(0.5, 0.5));
+        shape /= shape.norm();
+        auto known =
+            std::find_if(shapes.begin(), shapes.end(), [&](const auto &s) {
+              return s.fe_index == cell->active_fe_index() &&
+                     (s.jacobian - shape).norm() < 1e-12;
+            });
+        if (known == shapes.end())
+          known = shapes.insert(shapes.end(),
+                                {cell->active_fe_index(), shape, compute()});
+        sink(cell, known->stiffness, rhs);
+      }
+  }
+
+
+  ElasticProblem::Solution
+  ElasticProblem::make_solution() const
+  {
+    const auto &handler = space.get_dof_handler();
+    return Solution(handler.locally_owned_dofs(),
+                    space.get_relevant_dofs(),
+                    handler.get_triangulation().get_communicator());
+  }
+
+
+  ElasticProblem::Solution
+  ElasticProblem::solve(const SolverKind kind)
+  {
+    report                 = SolveReport();
+    const auto constraints = make_constraints();
+    Solution   solution    = kind == SolverKind::multifrontal
+                                 ? solve_multifrontal(constraints)
+                                 : solve_umfpack(constraints);
+    if (!std::isfinite(solution.l2_norm()))
+      throw NumericalError("The displacement is not finite: the body, or a "
+                           "part that a crack cuts off, is not held.");
+    solution.update_ghost_values();
+    return solution;
+  }
+
+
+  double
+  ElasticProblem::strain_energy(const Solution &solution) const
+  {
+    double                               energy = 0.;
+    std::vector<types::global_dof_index> dofs;
+    for_each_element([&](const Cell            &cell,
+                         const Eigen::MatrixXd &stiffness,
+                         const Eigen::VectorXd &) {
+      dofs.resize(stiffness.rows());
+      cell->get_dof_indices(dofs);
+      Eigen::VectorXd u(dofs.size());
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        u(i) = solution(dofs[i]);
+      energy += 0.5 * u.dot(stiffness * u);
+    });
+    return Utilities::MPI::sum(energy, solution.get_mpi_communicator());
+  }
+
+
+  double
+  ElasticProblem::traction_work(const Solution &solution) const
+  {
+    double                               work = 0.;
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &cell : space.get_dof_handler().active_cell_iterators())
+      {
+        if (!cell->is_locally_owned() || !cell->at_boundary())
+          continue;
+        dofs.resize(cell->get_fe().n_dofs_per_cell());
+        cell->get_dof_indices(dofs);
+        Eigen::VectorXd rhs = Eigen::VectorXd::Zero(dofs.size());
+        add_traction(cell, make_map(cell), rhs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          work += rhs(i) * solution(dofs[i]);
+      }
+    return Utilities::MPI::sum(work, solution.get_mpi_communicator());
+  }
+} // namespace Morsel::FE

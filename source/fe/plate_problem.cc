@@ -1,0 +1,187 @@
+#include <morsel/core/errors.h>
+#include <morsel/fe/plate_mesh.h>
+#include <morsel/fe/plate_problem.h>
+#include <morsel/fracture/energy_release.h>
+
+#include <deal.II/base/timer.h>
+
+#include <deal.II/distributed/grid_refinement.h>
+#include <deal.II/distributed/tria.h>
+
+#include <deal.II/grid/grid_refinement.h>
+
+#include <algorithm>
+
+namespace Morsel::FE
+{
+  using namespace dealii;
+
+  PlateProblem::PlateProblem(const PlateParameters              &parameters,
+                             const std::vector<Fracture::Crack> &cracks,
+                             Triangulation<2>                   &triangulation)
+      : parameters(parameters)
+      , material(parameters.youngs_modulus,
+                 parameters.poissons_ratio,
+                 parameters.plane_stress)
+      , triangulation(triangulation)
+  {
+    Timer timer;
+    make_mesh();
+    const auto tips = Fracture::collect_tips(cracks);
+    for (const Fracture::CrackTip &tip : tips)
+      refine_towards(triangulation,
+                     tip.position,
+                     parameters.tip_refinements,
+                     parameters.layers);
+    EnrichmentParameters enrichment;
+    enrichment.tip_degree = parameters.tip_degree;
+    enrichment.radius     = parameters.enrichment_radius;
+    enrichment.ramp       = parameters.ramp;
+    space                 = std::make_unique<XFEMSpace>(
+        triangulation,
+        cracks,
+        std::vector<EnrichmentParameters>(tips.size(), enrichment));
+    results.mesh_time = timer.wall_time();
+  }
+
+
+  void
+  PlateProblem::make_mesh()
+  {
+    const Point<2> &low  = parameters.lower_corner;
+    const Point<2> &high = parameters.upper_corner;
+    make_plate(
+        triangulation,
+        low,
+        high,
+        parameters.cells_x,
+        parameters.cells_y,
+        Tensor<1, 2>({parameters.line_shift[0], parameters.line_shift[1]}));
+    // A corner between a clamped side and one that is not is singular.
+    for (unsigned int x = 0; x < 2; ++x)
+      for (unsigned int y = 0; y < 2; ++y)
+        if ((parameters.support[x] == "clamp") !=
+            (parameters.support[2 + y] == "clamp"))
+          refine_towards(
+              triangulation,
+              Point<2>(x == 0 ? low[0] : high[0], y == 0 ? low[1] : high[1]),
+              parameters.corner_refinements,
+              parameters.layers);
+  }
+
+
+  void
+  PlateProblem::apply_boundary_conditions()
+  {
+    bool held[2]  = {false, false};
+    bool no_turns = false;
+    for (unsigned int side = 0; side < 4; ++side)
+      {
+        const unsigned int normal = side < 2 ? 0 : 1;
+        if (parameters.support[side] != "free")
+          {
+            problem->hold(side, normal);
+            held[normal] = no_turns = true;
+          }
+        if (parameters.support[side] == "clamp")
+          {
+            problem->hold(side, 1 - normal);
+            held[1 - normal] = true;
+          }
+        const Point<2> traction =
+            read_pair(parameters.traction[side], "Boundary/traction");
+        if (traction.norm() > 0.)
+          problem->apply_traction(
+              side, [traction](const Point<2> &, const Tensor<1, 2> &) {
+                return Tensor<1, 2>({traction[0], traction[1]});
+              });
+      }
+    const Point<2> &low  = parameters.lower_corner;
+    const Point<2> &high = parameters.upper_corner;
+    for (unsigned int d = 0; d < 2; ++d)
+      if (!held[d])
+        problem->pin(Point<2>(high[0], low[1]), d);
+    if (!no_turns)
+      problem->pin(high, 0);
+  }
+
+
+  void
+  PlateProblem::solve_once()
+  {
+    Timer timer;
+    space->distribute(std::vector<unsigned int>(triangulation.n_active_cells(),
+                                                parameters.degree));
+    problem = std::make_unique<ElasticProblem>(*space, material);
+    apply_boundary_conditions();
+    results.space_time += timer.wall_time();
+    solution = problem->solve(parameters.solver == "umfpack"
+                                  ? SolverKind::umfpack
+                                  : SolverKind::multifrontal);
+  }
+
+
+  const PlateResults &
+  PlateProblem::run()
+  {
+    solve_once();
+    for (unsigned int step = 0; step < parameters.adaptive_steps; ++step)
+      {
+        const Vector<float> errors = estimate_errors(*problem, solution);
+        results.estimates.push_back(std::sqrt(Utilities::MPI::sum(
+            errors.norm_sqr(), triangulation.get_communicator())));
+        if (auto *distributed =
+                dynamic_cast<parallel::distributed::Triangulation<2> *>(
+                    &triangulation))
+          parallel::distributed::GridRefinement::
+              refine_and_coarsen_fixed_number(
+                  *distributed, errors, parameters.refined_share, 0.);
+        else
+          GridRefinement::refine_and_coarsen_fixed_number(
+              triangulation, errors, parameters.refined_share, 0.);
+        triangulation.execute_coarsening_and_refinement();
+        solve_once();
+      }
+    results.n_cells       = triangulation.n_global_active_cells();
+    results.solve         = problem->get_report();
+    results.external_work = problem->traction_work(solution);
+    // Nothing but zero displacements is prescribed: U = work/2.
+    results.strain_energy = 0.5 * results.external_work;
+    Timer timer;
+    results.tips.clear();
+    for (unsigned int t = 0; t < space->get_tips().size(); ++t)
+      {
+        results.tips.push_back(choose_rings(*space, t, parameters.ring_radius));
+        evaluate_rings(*problem, solution, results.tips.back());
+      }
+    results.tip_time = timer.wall_time();
+    return results;
+  }
+
+
+  double
+  energy_route(const PlateParameters &parameters, const double energy)
+  {
+    const double          da = parameters.energy_growth;
+    std::array<double, 3> energies{{energy, 0., 0.}};
+    for (unsigned int i = 1; i < 3; ++i)
+      {
+        PlateParameters grown = parameters;
+        grown.adaptive_steps  = 0;
+        std::vector<Fracture::Crack> cracks;
+        for (const Fracture::Crack &crack : make_cracks(parameters))
+          cracks.push_back(crack.with_moved_tips(i * da));
+        Triangulation<2> triangulation(
+            Triangulation<2>::limit_level_difference_at_vertices);
+        PlateProblem problem(grown, cracks, triangulation);
+        energies[i] = problem.run().strain_energy;
+      }
+    const Fracture::ElasticPlane material(parameters.youngs_modulus,
+                                          parameters.poissons_ratio,
+                                          parameters.plane_stress);
+    return Fracture::stress_intensity_of_energy(
+        Fracture::energy_difference(
+            energies, da, Fracture::HeldQuantity::traction),
+        material.effective_modulus);
+  }
+} // namespace Morsel::FE
