@@ -111,7 +111,9 @@ namespace Morsel::Contact
             const double                time_step,
             Surface                    &surface) override
       {
-        dealii::Tensor<1, 2> sum;
+        dealii::Tensor<1, 2> sum, v_nodes;
+        double               weights = 0.;
+        shares.clear();
         for (unsigned int c = candidate.first; c < candidate.last; ++c)
           {
             // Each node is the first of one facet of a closed surface.
@@ -120,23 +122,31 @@ namespace Morsel::Contact
             const double       r    = away.norm();
             if (r >= range || r == 0.)
               continue;
-            const double ratio = kernel.value(r) / at_spacing;
-            const double power = std::pow(ratio, n);
+            const double power = std::pow(kernel.value(r) / at_spacing, n);
             const double phi   = scale * surface.tributary[j];
             const auto   f     = phi * n * power / kernel.value(r) *
                            kernel.gradient_weight(r) * away;
-            const auto v_relative = v - surface.velocity[j];
-            const auto normal     = away / r;
-            const auto total =
-                f + friction(f.norm(),
-                             v_relative - (v_relative * normal) * normal,
-                             time_step);
-            sum += total;
-            surface.force[j] -= total;
+            sum += f;
+            surface.force[j] -= f;
+            shares.emplace_back(j, f.norm());
+            weights += shares.back().second;
+            v_nodes += shares.back().second * surface.velocity[j];
             energy += phi * (power - at_range);
             penetration = std::max(penetration, 0.5 * side.spacing - r);
           }
-        return sum;
+        const double size = sum.norm();
+        if (size == 0.)
+          return sum;
+
+        // One friction for the nodes together: one each could turn the
+        // particle's slip around.
+        const auto normal     = sum / size;
+        const auto v_relative = v - v_nodes / weights;
+        const auto rubbing    = friction(
+            size, v_relative - (v_relative * normal) * normal, time_step);
+        for (const auto &[j, share] : shares)
+          surface.force[j] -= share / weights * rubbing;
+        return sum + rubbing;
       }
 
     private:
@@ -145,6 +155,8 @@ namespace Morsel::Contact
       const double scale;      ///< V_i K per length of surface [J/m]
       const double n;
       const double at_range; ///< (W(range)/W(dp))^n, where the force ends
+      /// Nodes that press on the particle at hand, with the size of each force.
+      std::vector<std::pair<unsigned int, double>> shares;
     };
   } // namespace
 

@@ -42,6 +42,7 @@ namespace
                    material,
                    linear_law,
                    law,
+                   constants(),
                    parameters,
                    1.2 * spacing,
                    1)

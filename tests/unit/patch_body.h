@@ -1,6 +1,7 @@
 #ifndef morsel_tests_patch_body_h
 #define morsel_tests_patch_body_h
 
+#include <morsel/sph/pair_kernels.h>
 #include <morsel/sph/pair_loops.h>
 
 #include <cmath>
@@ -65,6 +66,10 @@ namespace Morsel::SPH
       p.failed.assign(n, 0);
       p.effective.assign(n, {0., 0., 0., 0.});
       p.shape.assign(n, {0., 0., 0.});
+      p.near_face.assign(n, 0);
+      p.driver.assign(n, 0.);
+      p.crushed.assign(p.n_groups(), 0);
+      p.strongest.assign(p.n_groups(), 0.);
       bonds.build(p, kernel);
       for (unsigned int i = 0; i < n; ++i)
         if (bonds.list.start[i + 1] > bonds.list.start[i])
@@ -100,7 +105,9 @@ namespace Morsel::SPH
     void
     strain()
     {
-      choose_strain_loop(linear_law, true)(p, bonds, constants(), 0, p.n_owned);
+      constexpr unsigned int soften_deviator = 1;
+      pair_kernels().strain[linear_law][soften_deviator](
+          bonded_arrays(p, bonds), constants(), 0, p.n_groups());
     }
 
     /// Accelerations at the present displacements.
@@ -108,8 +115,8 @@ namespace Morsel::SPH
     accelerate(const bool viscosity = false, const double time_step = 0.)
     {
       strain();
-      choose_force_loop(viscosity)(
-          p, bonds, constants(), time_step, 0, p.n_owned);
+      pair_kernels().force[viscosity][true](
+          bonded_arrays(p, bonds), constants(), time_step, 0, p.n_groups());
     }
 
     /// Strain and hourglass energy at the present displacements [J].
@@ -157,10 +164,19 @@ namespace Morsel::SPH
         }
     }
 
-    LoopConstants
+    BondedConstants
     constants() const
     {
-      return {material, Materials::Softening::deviator, 1., 2., kernel.h};
+      BondedConstants c{};
+      c.mu                = material.mu;
+      c.bulk              = material.bulk;
+      c.density           = material.density;
+      c.mass              = p.mass;
+      c.uniform_hourglass = hourglass_stiffness;
+      c.viscosity_alpha_c = material.wave_speed;
+      c.viscosity_beta    = 2.;
+      c.smoothing_length  = kernel.h;
+      return c;
     }
 
     /// The acceleration of a full change of stress over one spacing.
