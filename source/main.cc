@@ -96,8 +96,7 @@ main(int argc, char **argv)
       first_rank.run([&] { std::cout << command_line.message; });
     else if (!command_line.print_parameters.empty() &&
              is_fracture_scene(command_line.scene_file, command_line.overrides))
-      first_rank.run(
-          [&] { std::cout << fracture_parameters(command_line); });
+      first_rank.run([&] { std::cout << fracture_parameters(command_line); });
     else if (!command_line.print_parameters.empty())
       first_rank.run([&] {
         std::cout << Scene::print_parameters(

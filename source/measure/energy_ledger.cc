@@ -107,8 +107,8 @@ namespace Morsel::Measure
         unexplained -= impulse;
         largest = std::max(largest, impulse.norm());
       }
-    error_last  = largest > 0. ? unexplained.norm() / largest : 0.;
-    error_worst = std::max(error_worst, error_last);
+    error_last = largest > 0. ? unexplained.norm() / largest : 0.;
+    worst_gap  = std::max(worst_gap, unexplained.norm());
     return error_last;
   }
 
@@ -123,6 +123,6 @@ namespace Morsel::Measure
   double
   MomentumLedger::largest_error() const
   {
-    return error_worst;
+    return largest > 0. ? worst_gap / largest : 0.;
   }
 } // namespace Morsel::Measure

@@ -56,7 +56,18 @@ namespace
         s = {0., 0., 0., 0.};
       for (const unsigned int i : list)
         p.effective[i] = {1e12, 0., 0., 0.};
-      return fracture.update(1e-6);
+      const std::vector<unsigned int> now = fracture.update(1e-6);
+
+      // What pressure they carried goes on in the grains, as of now.
+      for (const unsigned int i : now)
+        {
+          const auto  &H = p.gradient[i];
+          const double J = (1. + H.xx) * (1. + H.yy) - H.xy * H.yx;
+          if (J < 1.)
+            grain_energy +=
+                p.volume * Materials::volumetric_energy(material.bulk, J);
+        }
+      return now;
     }
 
     /// Component of each live particle over live bonds.
@@ -84,6 +95,7 @@ namespace
     Materials::DamageParameters parameters;
     Materials::DamageLaw        law;
     Fracture                    fracture;
+    double                      grain_energy = 0.; ///< of what has failed [J]
   };
 
 
@@ -91,18 +103,7 @@ namespace
   double
   whole_energy(BreakableBody &body)
   {
-    double sum = body.energy();
-    for (unsigned int i = 0; i < body.p.n_owned; ++i)
-      {
-        if (!body.p.failed[i])
-          continue;
-        const auto  &H = body.p.gradient[i];
-        const double J = (1. + H.xx) * (1. + H.yy) - H.xy * H.yx;
-        if (J < 1.)
-          sum += body.p.volume *
-                 Materials::volumetric_energy(body.material.bulk, J);
-      }
-    return sum;
+    return body.energy() + body.grain_energy;
   }
 } // namespace
 

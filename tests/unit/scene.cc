@@ -62,7 +62,9 @@ BOOST_AUTO_TEST_CASE(all_shipped_scenes_are_good)
   unsigned int n_scenes = 0;
   for (const auto &file :
        std::filesystem::recursive_directory_iterator(MORSEL_SOURCE_DIR "/prm"))
-    if (file.path().extension() == ".prm")
+    // Cracked plates have a reader of their own, see fracture_run.h.
+    if (file.path().extension() == ".prm" &&
+        file.path().parent_path().filename() != "fracture")
       {
         BOOST_TEST_CONTEXT(file.path())
         {

@@ -101,14 +101,15 @@ namespace Morsel::Measure
     double
     error() const;
 
+    /// The largest gap of all samples, over the largest term.
     double
     largest_error() const;
 
   private:
     dealii::Tensor<1, 2> initial;
     double               largest;
-    double               error_last  = 0.;
-    double               error_worst = 0.;
+    double               error_last = 0.;
+    double               worst_gap  = 0.;
   };
 } // namespace Morsel::Measure
 
