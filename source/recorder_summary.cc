@@ -157,19 +157,20 @@ namespace Morsel
       }
     if (can_fail)
       {
-        summary.add("complete_failure",
-                    stroke.failed_completely() ? 1. : 0.,
-                    "1",
-                    "1 if the mean force fell below " +
-                        std::to_string(scene.stop.residual_force).substr(0, 4) +
-                        " of its peak and stayed there while the plates closed "
-                        "on by the given share of the height, else 0");
+        summary.add(
+            "complete_failure",
+            stroke.failed_completely() ? 1. : 0.,
+            "1",
+            "1 if the mean force fell below " +
+                std::to_string(scene.stop.residual_force).substr(0, 4) +
+                " of its peak and the plates then closed on by the given "
+                "share of the height without a higher peak, else 0");
         if (const auto time = stroke.time_of_failure())
           summary.add("time_of_failure",
                       *time,
                       "s",
-                      "when the mean force fell below its residual share for "
-                      "good");
+                      "when the mean force first fell below its residual share "
+                      "after the peak");
       }
   }
 
