@@ -48,10 +48,10 @@ namespace Morsel
 
 
     void
-    add_tips(Output::Summary           &summary,
-             const FE::PlateParameters &plate,
-             const FE::PlateProblem    &problem,
-             const FE::PlateResults    &results)
+    add_tips(Output::Summary            &summary,
+             const Fracture::PlateScene &plate,
+             const FE::PlateProblem     &problem,
+             const FE::PlateResults     &results)
     {
       const auto  &tips   = problem.get_space().get_tips();
       unsigned int number = 0;
@@ -83,8 +83,8 @@ namespace Morsel
                       "Pa sqrt(m)",
                       "largest minus smallest K_II over the rings");
         }
-      const double formula =
-          FE::formula_stress_intensity(plate, problem.get_space().get_cracks());
+      const double formula = Fracture::formula_stress_intensity(
+          plate, problem.get_space().get_cracks());
       if (formula != 0. && !results.tips.empty())
         summary.add("stress_intensity_I_over_formula",
                     results.tips[0].statistics.mean.mode_I / formula,

@@ -89,7 +89,7 @@ namespace Morsel::FE
             held[1 - normal] = true;
           }
         const Point<2> traction =
-            read_pair(parameters.traction[side], "Boundary/traction");
+            Fracture::read_pair(parameters.traction[side], "Boundary/traction");
         if (traction.norm() > 0.)
           problem->apply_traction(
               side, [traction](const Point<2> &, const Tensor<1, 2> &) {
@@ -156,6 +156,32 @@ namespace Morsel::FE
       }
     results.tip_time = timer.wall_time();
     return results;
+  }
+
+
+  void
+  check(const PlateParameters &plate)
+  {
+    Fracture::check(plate);
+    const Tensor<1, 2> size    = plate.upper_corner - plate.lower_corner;
+    const double       smaller = std::min(size[0], size[1]);
+    if (plate.enrichment_radius >= 0.5 * smaller)
+      throw InputError("'XFEM/Enrichment radius' is " +
+                       Utilities::to_string(plate.enrichment_radius) +
+                       " m, but it must be below half the plate's smaller "
+                       "side, " +
+                       Utilities::to_string(0.5 * smaller) + " m.");
+    for (const Fracture::CrackTip &tip :
+         Fracture::collect_tips(make_cracks(plate)))
+      if (plate.enrichment_radius >= tip.segment)
+        throw InputError(
+            "'XFEM/Enrichment radius' is " +
+            Utilities::to_string(plate.enrichment_radius) +
+            " m, but it must stay below the length of the crack's segment at "
+            "the tip (" +
+            Utilities::to_string(tip.position[0]) + ", " +
+            Utilities::to_string(tip.position[1]) + ") m, " +
+            Utilities::to_string(tip.segment) + " m.");
   }
 
 

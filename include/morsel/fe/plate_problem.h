@@ -1,13 +1,33 @@
 #ifndef morsel_fe_plate_problem_h
 #define morsel_fe_plate_problem_h
 
-#include <morsel/fe/plate_setup.h>
+#include <morsel/fe/discretisation.h>
 #include <morsel/fe/stress_intensity.h>
+#include <morsel/fracture/plate_scene.h>
 
 #include <memory>
 
 namespace Morsel::FE
 {
+  /// What extended finite elements need to know of a cracked plate.
+  struct PlateParameters : Fracture::PlateScene, Discretisation
+  {
+    /// Binds all members to entries.
+    void
+    declare(dealii::ParameterHandler &prm)
+    {
+      PlateScene::declare(prm);
+      Discretisation::declare(prm);
+    }
+  };
+
+
+  /// Checks what no single entry shows, the plate itself included.
+  /// @throws InputError, one sentence
+  void
+  check(const PlateParameters &parameters);
+
+
   /// The results of one cracked plate.
   struct PlateResults
   {

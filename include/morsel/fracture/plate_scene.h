@@ -1,5 +1,5 @@
-#ifndef morsel_fe_plate_setup_h
-#define morsel_fe_plate_setup_h
+#ifndef morsel_fracture_plate_scene_h
+#define morsel_fracture_plate_scene_h
 
 #include <morsel/fracture/crack.h>
 
@@ -10,19 +10,17 @@
 #include <string>
 #include <vector>
 
-namespace Morsel::FE
+namespace Morsel::Fracture
 {
-  /// Everything that a static computation of a cracked plate is about.
-  struct PlateParameters
+  /// A cracked plate under static load, whatever method computes it.
+  struct PlateScene
   {
     std::string name;
     std::string title;
     std::string method = "XFEM";
 
-    dealii::Point<2>      lower_corner;
-    dealii::Point<2>      upper_corner{0.01, 0.01}; ///< [m]
-    unsigned int          cells_x = 13, cells_y = 13;
-    std::array<double, 2> line_shift{{0., 0.}}; ///< [cells]
+    dealii::Point<2> lower_corner;
+    dealii::Point<2> upper_corner{0.01, 0.01}; ///< [m]
 
     double youngs_modulus = 1e7; ///< [Pa]
     double poissons_ratio = 0.3;
@@ -37,17 +35,6 @@ namespace Morsel::FE
     /// By side: left, right, bottom, top.
     std::array<std::string, 4> support{{"free", "free", "free", "free"}};
     std::array<std::string, 4> traction{{"0, 0", "0, 0", "0, 0", "0, 0"}};
-
-    unsigned int degree             = 4;
-    unsigned int tip_degree         = 3;
-    double       enrichment_radius  = 8e-4; ///< [m]
-    bool         ramp               = true;
-    unsigned int corner_refinements = 6;
-    unsigned int tip_refinements    = 0;
-    double       layers             = 0.5;
-    unsigned int adaptive_steps     = 0;
-    double       refined_share      = 0.1;
-    std::string  solver             = "multifrontal";
 
     double      ring_radius   = 0.; ///< [m], 0: the largest that fits
     double      energy_growth = 0.; ///< [m], 0: no energy route
@@ -65,14 +52,14 @@ namespace Morsel::FE
   /// is a mouth, the others are tips.
   /// @throws InputError for a crack outside the plate, of no length, crossing
   ///   another one or itself, or cutting off a part that nothing holds
-  std::vector<Fracture::Crack>
-  make_cracks(const PlateParameters &parameters);
+  std::vector<Crack>
+  make_cracks(const PlateScene &parameters);
 
 
   /// Checks what no single entry shows.
   /// @throws InputError, one sentence
   void
-  check(const PlateParameters &parameters);
+  check(const PlateScene &parameters);
 
 
   /// Two numbers "x, y".
@@ -84,8 +71,8 @@ namespace Morsel::FE
   /// K_I of the formula named [Pa sqrt(m)], 0 for "none". "edge crack in
   /// tension" is T3-48, sigma sqrt(pi a) Y(a/W).
   double
-  formula_stress_intensity(const PlateParameters              &parameters,
-                           const std::vector<Fracture::Crack> &cracks);
-} // namespace Morsel::FE
+  formula_stress_intensity(const PlateScene         &parameters,
+                           const std::vector<Crack> &cracks);
+} // namespace Morsel::Fracture
 
 #endif

@@ -1,5 +1,5 @@
 #include <morsel/core/errors.h>
-#include <morsel/fe/plate_setup.h>
+#include <morsel/fracture/plate_scene.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace Morsel::FE
+namespace Morsel::Fracture
 {
   using namespace dealii;
 
@@ -29,7 +29,7 @@ namespace Morsel::FE
 
     /// Distance inside the plate (negative outside) [m].
     double
-    depth_inside(const PlateParameters &plate, const Point<2> &p)
+    depth_inside(const PlateScene &plate, const Point<2> &p)
     {
       return std::min({p[0] - plate.lower_corner[0],
                        plate.upper_corner[0] - p[0],
@@ -39,7 +39,7 @@ namespace Morsel::FE
 
 
     std::vector<std::vector<Point<2>>>
-    read_paths(const PlateParameters &plate)
+    read_paths(const PlateScene &plate)
     {
       std::vector<std::vector<Point<2>>> paths;
       if (plate.crack_form == "inclined")
@@ -68,7 +68,7 @@ namespace Morsel::FE
     /// Whether a crack from mouth to mouth leaves a part of the plate that
     /// touches no support.
     bool
-    cuts_off(const PlateParameters &plate, const Fracture::Crack &crack)
+    cuts_off(const PlateScene &plate, const Crack &crack)
     {
       if (crack.has_tip(0) || crack.has_tip(1))
         return false;
@@ -110,12 +110,12 @@ namespace Morsel::FE
   }
 
 
-  std::vector<Fracture::Crack>
-  make_cracks(const PlateParameters &plate)
+  std::vector<Crack>
+  make_cracks(const PlateScene &plate)
   {
-    const double size      = (plate.upper_corner - plate.lower_corner).norm();
-    const double tolerance = 1e-9 * size;
-    std::vector<Fracture::Crack> cracks;
+    const double       size = (plate.upper_corner - plate.lower_corner).norm();
+    const double       tolerance = 1e-9 * size;
+    std::vector<Crack> cracks;
     for (const std::vector<Point<2>> &path : read_paths(plate))
       {
         if (path.size() < 2)
@@ -131,9 +131,9 @@ namespace Morsel::FE
                                text(plate.lower_corner) + " to " +
                                text(plate.upper_corner) + ".");
           }
-        const bool tip_first = depth_inside(plate, path.front()) > tolerance;
-        const bool tip_last  = depth_inside(plate, path.back()) > tolerance;
-        const Fracture::Crack crack(path, tip_first, tip_last);
+        const bool  tip_first = depth_inside(plate, path.front()) > tolerance;
+        const bool  tip_last  = depth_inside(plate, path.back()) > tolerance;
+        const Crack crack(path, tip_first, tip_last);
         if (path.size() == 2 && !tip_first && !tip_last &&
             depth_inside(plate, path[0] + 0.5 * (path[1] - path[0])) <=
                 tolerance)
@@ -158,19 +158,12 @@ namespace Morsel::FE
 
 
   void
-  check(const PlateParameters &plate)
+  check(const PlateScene &plate)
   {
     const Tensor<1, 2> size = plate.upper_corner - plate.lower_corner;
     if (size[0] <= 0. || size[1] <= 0.)
       throw InputError("'Plate/Upper corner' must exceed 'Plate/Lower corner' "
                        "in both coordinates.");
-    const double smaller = std::min(size[0], size[1]);
-    if (plate.enrichment_radius >= 0.5 * smaller)
-      throw InputError(
-          "'Discretisation/Enrichment radius' is " +
-          Utilities::to_string(plate.enrichment_radius) +
-          " m, but it must be below half the plate's smaller side, " +
-          Utilities::to_string(0.5 * smaller) + " m.");
     if (std::all_of(plate.support.begin(), plate.support.end(), [](auto &s) {
           return s == "free";
         }))
@@ -188,21 +181,12 @@ namespace Morsel::FE
                            "in balance: clamp a side, put it on rollers, or "
                            "load the opposite side, too.");
       }
-    for (const Fracture::CrackTip &tip :
-         Fracture::collect_tips(make_cracks(plate)))
-      if (plate.enrichment_radius >= tip.segment)
-        throw InputError(
-            "'Discretisation/Enrichment radius' is " +
-            Utilities::to_string(plate.enrichment_radius) +
-            " m, but it must stay below the length of the crack's segment at "
-            "the tip " +
-            text(tip.position) + ", " + Utilities::to_string(tip.segment) +
-            " m.");
+    make_cracks(plate);
   }
 
 
   void
-  PlateParameters::declare(ParameterHandler &prm)
+  PlateScene::declare(ParameterHandler &prm)
   {
     prm.add_parameter("Name", name, "Name of the scene; its file's if empty.");
     prm.add_parameter("Title", title, "What the scene shows.");
@@ -214,22 +198,6 @@ namespace Morsel::FE
     prm.enter_subsection("Plate");
     prm.add_parameter("Lower corner", lower_corner, "x, y [m].");
     prm.add_parameter("Upper corner", upper_corner, "x, y [m].");
-    prm.add_parameter("Cells along x",
-                      cells_x,
-                      "Before any refinement [1].",
-                      Patterns::Integer(2, 2000));
-    prm.add_parameter("Cells along y",
-                      cells_y,
-                      "Before any refinement [1].",
-                      Patterns::Integer(2, 2000));
-    prm.add_parameter("Shift of lines along x",
-                      line_shift[0],
-                      "Moves the interior mesh lines, in cells [1].",
-                      Patterns::Double(-0.9, 0.9));
-    prm.add_parameter("Shift of lines along y",
-                      line_shift[1],
-                      "Moves the interior mesh lines, in cells [1].",
-                      Patterns::Double(-0.9, 0.9));
     prm.leave_subsection();
 
     prm.enter_subsection("Material");
@@ -277,50 +245,6 @@ namespace Morsel::FE
       }
     prm.leave_subsection();
 
-    prm.enter_subsection("Discretisation");
-    prm.add_parameter("Degree",
-                      degree,
-                      "Of displacement and jump [1].",
-                      Patterns::Integer(1, 8));
-    prm.add_parameter("Tip degree",
-                      tip_degree,
-                      "Of the multipliers of the tip functions [1].",
-                      Patterns::Integer(1, 8));
-    prm.add_parameter("Enrichment radius",
-                      enrichment_radius,
-                      "About each tip [m]; 0: the vertices of the tip's own "
-                      "cells.",
-                      Patterns::Double(0.));
-    prm.add_parameter(
-        "Ramp", ramp, "Blend the tip functions out (corrected XFEM).");
-    prm.add_parameter("Corner refinements",
-                      corner_refinements,
-                      "Geometric refinements towards the corners of clamped "
-                      "sides, which are singular [1].",
-                      Patterns::Integer(0, 30));
-    prm.add_parameter("Tip refinements",
-                      tip_refinements,
-                      "Geometric refinements towards the tips [1].",
-                      Patterns::Integer(0, 30));
-    prm.add_parameter("Refinement layers",
-                      layers,
-                      "Cells nearer to such a point than this many of their "
-                      "diameters are refined [1].",
-                      Patterns::Double(0., 10.));
-    prm.add_parameter("Adaptive steps",
-                      adaptive_steps,
-                      "Solve, estimate, refine this many times [1].",
-                      Patterns::Integer(0, 50));
-    prm.add_parameter("Refined share",
-                      refined_share,
-                      "Share of the cells that an adaptive step refines [1].",
-                      Patterns::Double(0.01, 1.));
-    prm.add_parameter("Solver",
-                      solver,
-                      "'multifrontal' (Cholesky by elements) or 'umfpack'.",
-                      Patterns::Selection("multifrontal|umfpack"));
-    prm.leave_subsection();
-
     prm.enter_subsection("Stress intensity");
     prm.add_parameter("Ring radius",
                       ring_radius,
@@ -347,8 +271,8 @@ namespace Morsel::FE
 
 
   double
-  formula_stress_intensity(const PlateParameters              &plate,
-                           const std::vector<Fracture::Crack> &cracks)
+  formula_stress_intensity(const PlateScene         &plate,
+                           const std::vector<Crack> &cracks)
   {
     if (plate.formula == "none" || cracks.empty() || cracks[0].tips().empty())
       return 0.;
@@ -361,4 +285,4 @@ namespace Morsel::FE
         1.12 + x * (-0.23 + x * (10.56 + x * (-21.74 + x * 30.42)));
     return stress * std::sqrt(numbers::PI * a) * Y;
   }
-} // namespace Morsel::FE
+} // namespace Morsel::Fracture
