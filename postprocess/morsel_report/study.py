@@ -6,6 +6,7 @@ import json
 import math
 import os
 import pathlib
+import re
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -69,6 +70,17 @@ class Study:
                 else style.digits(value) if value is not None else "")
         unit = "" if unit == "1" else "\u202f" + style.pretty_unit(unit)
         return f"{self.axes[axis]['label']} {text}{unit}"
+
+
+def in_figure(label):
+    """A label with its subscript, K_I, as matplotlib sets it."""
+    return re.sub(r"\b([A-Za-z])_(\w+)\b", r"$\1_{\\mathrm{\2}}$", label)
+
+
+def in_page(label):
+    """A label with its subscript as HTML."""
+    return re.sub(r"\b([A-Za-z])_(\w+)\b", r"\1<sub>\2</sub>",
+                  html.escape(label))
 
 
 def look(k):
@@ -165,10 +177,12 @@ def convergence(study, quantity):
     percent_ticks(axes)
     floor = study.quantities[quantity]["truth_accuracy"]
     if floor > 0:
-        axes.axhspan(axes.get_ylim()[0], floor, color="#eeeeee", zorder=0)
+        bottom = min(axes.get_ylim()[0], 0.5 * floor)
+        axes.axhspan(bottom, floor, color="#eeeeee", zorder=0)
+        axes.set_ylim(bottom=bottom)
     label = study.data["resolution"]["label"]
     axes.set_xlabel(label[:1].upper() + label[1:])
-    axes.set_ylabel(f"Error of {study.quantities[quantity]['label']}")
+    axes.set_ylabel("Error of " + in_figure(study.quantities[quantity]["label"]))
     axes.legend(loc="best")
     return figure
 
@@ -215,10 +229,12 @@ def work_precision(study, quantity):
         plain_ticks(axes.xaxis, [factor * r[cost] for r in known])
         axes.set_xlabel(axis_label(label, prefixed))
     percent_ticks(grid[0][0])
-    grid[0][0].set_ylabel(f"Error of {study.quantities[quantity]['label']}")
+    grid[0][0].set_ylabel("Error of " + in_figure(study.quantities[quantity]["label"]))
     handles, labels = grid[0][0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center",
-                  ncols=min(4, len(labels)))
+    columns = min(5, len(labels))
+    rows = math.ceil(len(labels) / columns)
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - 0.02 - 0.055 * rows))
+    figure.legend(handles, labels, loc="upper center", ncol=columns)
     return figure
 
 
@@ -295,7 +311,8 @@ def draw_over_axis(study, quantity, axis, others, runs):
         upper.plot(x, [factor * next(iter(truths[v])) for v in x],
                    color=style.INK, ls="--", lw=1.0, marker="_", ms=14,
                    label="truth", zorder=1)
-    upper.set_ylabel(axis_label(study.quantities[quantity]["label"], prefixed))
+    upper.set_ylabel(axis_label(in_figure(
+        study.quantities[quantity]["label"]), prefixed))
     upper.legend(loc="best")
     if errors:
         grid[1][0].set_yscale("log")
@@ -347,7 +364,7 @@ def scatter_of_draws(study, quantity):
                      ls="--", lw=1.2)
     if errors:
         axes.axvline(0, color=style.INK, lw=1.0)
-    label = study.quantities[quantity]["label"]
+    label = in_figure(study.quantities[quantity]["label"])
     axes.set_xlabel(axis_label(f"Error of {label}" if errors else label, unit))
     axes.set_ylabel("Runs")
     axes.legend(loc="best")
@@ -397,9 +414,10 @@ def draw(study, notes):
 def picture(label, caption, png):
     """A figure of the page."""
     data = base64.b64encode(png).decode("ascii")
-    text = html.escape(f"{label}. {caption}")
+    text = html.escape(caption)
     return (f'<figure><img src="data:image/png;base64,{data}" alt="{text}">'
-            f"<figcaption>{text}</figcaption></figure>")
+            f"<figcaption><b>{in_page(label)}.</b> {text}</figcaption>"
+            "</figure>")
 
 
 def table(head, rows, first=1):
@@ -437,7 +455,7 @@ def time_table(study, quantity):
                 text = "≤\u202f" + text
             row.append(f"<b>{text}</b>" if level["time"] == best[i] else text)
         rows.append(row)
-    label = html.escape(study.quantities[quantity]["label"])
+    label = in_page(study.quantities[quantity]["label"])
     return (f"<h2>Time to reach an error of {label}</h2>"
             + table(["Series"] + [f"{100 * x:g}\u202f%" for x in levels], rows)
             + "<p>From this time on all runs of the series are at least as "
@@ -453,7 +471,7 @@ def rate_table(study):
     rows = []
     for f in study.data["rates"]:
         where = ", ".join(f"{a} = {v}" for a, v in f["at"].items())
-        rows.append([html.escape(study.quantities[f["quantity"]]["label"]),
+        rows.append([in_page(study.quantities[f["quantity"]]["label"]),
                      html.escape(titles[f["series"]]
                                  + (", " + where if where else "")),
                      f"{f['rate']:.3f}",
@@ -477,7 +495,7 @@ def statistics_table(study):
         where = ", ".join(f"{a} = {v}" for a, v in s["at"].items())
         errors = s.get("absolute_error")
         rows.append([
-            html.escape(study.quantities[s["quantity"]]["label"]),
+            in_page(study.quantities[s["quantity"]]["label"]),
             html.escape(titles[s["series"]] + (", " + where if where else "")),
             s["value"]["count"], style.quantity(s["value"]["mean"], unit, 6),
             style.quantity(s["value"]["standard_deviation"], unit, 3),
@@ -496,7 +514,7 @@ def run_table(study):
     head = ["Series"] + [html.escape(axis_label(a["label"], a["unit"]))
                          for a in study.axes.values()]
     for n in names:
-        label = html.escape(study.quantities[n]["label"])
+        label = in_page(study.quantities[n]["label"])
         head += [label] + (["error"] if study.has_errors(n) else [])
     head += ["Time", "Unknowns", "Memory"]
     titles = {s["name"]: s["title"] for s in study.series}
