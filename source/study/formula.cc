@@ -10,10 +10,34 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <vector>
 
 namespace Morsel::Study
 {
+  namespace
+  {
+    /// deal.II prints what its parser dislikes before it throws; users get one
+    /// sentence instead.
+    class SilentErrors
+    {
+    public:
+      SilentErrors()
+          : buffer(std::cerr.rdbuf(nullptr))
+      {}
+
+      ~SilentErrors()
+      {
+        std::cerr.rdbuf(buffer);
+        std::cerr.clear();
+      }
+
+    private:
+      std::streambuf *buffer;
+    };
+  } // namespace
+
+
   double
   evaluate(const std::string &formula, const Variables &variables)
   {
@@ -31,6 +55,7 @@ namespace Morsel::Study
     double value        = 0.;
     try
       {
+        const SilentErrors silence;
         // One coordinate that no formula names: all variables are constants.
         dealii::FunctionParser<1> parser;
         parser.initialize("coordinate_without_use_", formula, constants);

@@ -48,6 +48,11 @@ namespace Morsel::Study
                         study.base_scene,
                         "Scene file that the runs start from, relative to the "
                         "study's file.");
+      prm.add_parameter("Quantities",
+                        study.recorded,
+                        "Results to record, named as in summary.json, "
+                        "separated by commas; those with a section 'Quantity "
+                        "<name>' need not be listed.");
       prm.add_parameter("Resolution",
                         study.resolution,
                         "What errors are drawn and fitted against: a formula "
@@ -288,8 +293,8 @@ namespace Morsel::Study
                          "<name>' with 'Values' and 'Entries'.");
       if (study.quantities.empty())
         throw InputError(study.file +
-                         ": The study records nothing; give it a section "
-                         "'Quantity <name>', named as in summary.json.");
+                         ": The study records nothing; name results of "
+                         "summary.json in 'Study/Quantities'.");
       for (const Axis &axis : study.axes)
         if (!axis.partner.empty())
           check_axis_name(
@@ -366,7 +371,12 @@ namespace Morsel::Study
         study.axes.emplace_back().name = name;
       for (const std::string &name : section_names(study.entries, "Series"))
         study.series.emplace_back().name = name;
+      std::vector<std::string> names =
+          list_items(last_value(study.entries, "Study/Quantities", ""));
       for (const std::string &name : section_names(study.entries, "Quantity"))
+        if (std::find(names.begin(), names.end(), name) == names.end())
+          names.push_back(name);
+      for (const std::string &name : names)
         study.quantities.emplace_back().name = name;
       declare(study, reading.prm);
       set_parameters(reading.prm, study.entries);

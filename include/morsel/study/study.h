@@ -44,7 +44,8 @@ namespace Morsel::Study
   };
 
 
-  /// One result that a study records: section "Quantity <name>".
+  /// One result that a study records: listed in 'Quantities', or with a section
+  /// "Quantity <name>".
   struct Quantity
   {
     std::string name;
@@ -67,6 +68,7 @@ namespace Morsel::Study
     std::string  name;
     std::string  title;
     std::string  base_scene;
+    std::string  recorded; ///< names of quantities, separated by commas
     std::string  resolution       = "unknowns";
     std::string  resolution_label = "";
     std::string  time_result      = "wall_time_loop";
