@@ -13,6 +13,7 @@ import numpy as np
 
 from . import style
 from .page import STYLE
+from .reader import NoRun
 
 COLOURS = [style.BLUE, style.RED, style.GREEN, style.PURPLE, style.ORANGE,
            style.SKY, style.BLACK, "#8c6d31"]
@@ -27,7 +28,11 @@ class Study:
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
         text = (self.folder / "study.json").read_text(encoding="utf-8")
-        self.data = json.loads(text)
+        try:
+            self.data = json.loads(text)
+        except json.JSONDecodeError as error:
+            raise NoRun(f"'{self.folder}/study.json' is not readable: "
+                        f"{error}.") from error
         self.runs = self.data["runs"]
         self.series = self.data["series"]
         self.quantities = self.data["quantities"]
@@ -56,11 +61,24 @@ class Study:
         return [n for n, a in self.axes.items()
                 if a["kind"] in ("random", "seeds")]
 
-    def resolution_axes(self):
-        """The axes that the resolution names."""
-        formula = self.data["resolution"]["formula"]
-        return [n for n in self.axes if n in formula.replace("(", " ")
-                .replace(")", " ").replace("*", " ").replace("/", " ").split()]
+    def refines(self, axis):
+        """Whether the resolution goes along with an axis."""
+        for series in self.series:
+            runs = [r for r in self.of_series(series["name"])
+                    if r["resolution"] and axis in r["axes"]]
+            others = [n for n in self.axes if n != axis
+                      and self.axes[n]["together_with"] != axis]
+            for members in groups_of(runs, others).values():
+                found = [r["resolution"] for r in members]
+                if max(found) > 1.5 * min(found) > 0:
+                    return True
+        return False
+
+    def converges(self, quantity):
+        """Whether there are errors at three resolutions or more."""
+        return not self.random_axes() and any(
+            f["points"] > 2 for f in self.data["rates"]
+            if f["quantity"] == quantity)
 
     def name_of(self, axis, run):
         """"angle = 30°" of a run."""
@@ -95,7 +113,7 @@ def axis_label(label, unit):
     return label + (f" [{unit}]" if unit else "")
 
 
-def percent_ticks(axes, which="y"):
+def percent_ticks(axes):
     """Ticks of a logarithmic axis of errors as percentages."""
     def text(value, _):
         power = math.log10(value) if value > 0 else 0
@@ -108,8 +126,14 @@ def percent_ticks(axes, which="y"):
             str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
         return f"10{exponent}\u202f%"
 
-    axis = axes.yaxis if which == "y" else axes.xaxis
+    axis = axes.yaxis
     axis.set_major_formatter(plt.FuncFormatter(text))
+    axis.set_minor_formatter(plt.NullFormatter())
+    low, high = axis.get_view_interval()
+    if high < 30 * low:
+        # At least one power of ten on either side has a name.
+        axis.set_view_interval(10.0 ** math.floor(math.log10(low)),
+                               10.0 ** math.ceil(math.log10(high)), True)
 
 
 def plain_ticks(axis, values):
@@ -120,7 +144,7 @@ def plain_ticks(axis, values):
             lambda v, _: f"{v:g}" if f"{v:.0e}"[0] in "25" else ""))
 
 
-def groups_of(study, runs, separated):
+def groups_of(runs, separated):
     """Runs by the values of some axes, in the order of the study."""
     groups = {}
     for run in runs:
@@ -141,7 +165,7 @@ def convergence(study, quantity):
     """Error against resolution, with the fitted rates."""
     runs = [r for r in study.runs if r["resolution"]
             and study.error(r, quantity) is not None]
-    if len({r["resolution"] for r in runs}) < 2 or study.random_axes():
+    if not study.converges(quantity):
         return None
     fits = [f for f in study.data["rates"] if f["quantity"] == quantity]
     figure, axes = plt.subplots(figsize=(7.4, 4.9), layout="constrained")
@@ -200,7 +224,8 @@ def work_precision(study, quantity):
     """Error against time, unknowns and memory, with the Pareto fronts."""
     runs = [r for r in study.runs if study.error(r, quantity) is not None]
     shown = [c for c in COSTS if len({r[c[0]] for r in runs if r[c[0]]}) > 1]
-    if len(runs) < 3 or not shown or study.random_axes():
+    if len(runs) < 3 or not shown or study.random_axes() or not (
+            study.data["timing"] or study.converges(quantity)):
         return None
     figure, grid = plt.subplots(1, len(shown), sharey=True, squeeze=False,
                                 figsize=(4.1 * len(shown), 4.8),
@@ -251,18 +276,16 @@ def draw_front(axes, study, quantity, cost, factor):
 
 def over_axis(study, quantity):
     """The quantity over an axis that is no resolution, with its truth."""
-    skip = set(study.random_axes()) | set(study.resolution_axes())
     followers = {n for n, a in study.axes.items()
                  if a["together_with"] in study.axes}
-    candidates = [n for n in study.axes if n not in skip | followers
-                  and study.axes[n]["kind"] != "texts"]
     runs = [r for r in study.runs
             if r["quantities"][quantity]["value"] is not None]
-    candidates = [n for n in candidates
-                  if len({r["axes"].get(n) for r in runs}) > 2]
-    if not candidates or (study.data["timing"] and study.has_errors(quantity)
-                          and study.quantities[quantity]["truth_formula"]
-                          .replace(".", "").isdigit()):
+    candidates = [n for n in study.axes
+                  if n not in followers and n not in study.random_axes()
+                  and study.axes[n]["kind"] != "texts"
+                  and len({r["axes"].get(n) for r in runs} - {None}) > 2
+                  and not study.refines(n)]
+    if not candidates:
         return None
     axis = candidates[0]
     others = [n for n in study.axes if n != axis and n not in followers
@@ -281,27 +304,27 @@ def draw_over_axis(study, quantity, axis, others, runs):
         figsize=(7.4, 6.2 if errors else 4.4), layout="constrained",
         gridspec_kw={"height_ratios": [2, 1.1] if errors else [1]})
     upper = grid[0][0]
-    truths = {}
-    for k, series in enumerate(study.series):
+    truths, k = {}, -1
+    for series in study.series:
         own = [r for r in runs if r["series"] == series["name"]
                and r["axes"].get(axis) is not None]
-        for i, (key, members) in enumerate(groups_of(study, own,
-                                                     others).items()):
+        for key, members in groups_of(own, others).items():
+            k += 1
             members.sort(key=lambda r: r["axes"][axis])
             x = [r["axes"][axis] for r in members]
-            label = series["title"] + "".join(
-                ", " + study.name_of(a, members[0]) for a, _ in key)
-            fade = {"alpha": max(0.3, 1 - 0.2 * i)}
+            parts = [series["title"]] if len(study.series) > 1 else []
+            parts += [study.name_of(a, members[0]) for a, _ in key]
+            label = ", ".join(parts) or "computed"
             upper.plot(x, [factor * r["quantities"][quantity]["value"]
                            for r in members], lw=1.0, ms=5, label=label,
-                       **look(k), **fade)
+                       **look(k))
             measured = [r for r in members
                         if study.error(r, quantity) is not None]
             if errors and measured:
                 grid[1][0].plot(
                     [r["axes"][axis] for r in measured],
                     [study.error(r, quantity) for r in measured], lw=1.0,
-                    ms=5, **look(k), **fade)
+                    ms=5, **look(k))
             for r in members:
                 truth = r["quantities"][quantity]["truth"]
                 if truth is not None:
@@ -309,8 +332,9 @@ def draw_over_axis(study, quantity, axis, others, runs):
     if truths and all(len(t) == 1 for t in truths.values()):
         x = sorted(truths)
         upper.plot(x, [factor * next(iter(truths[v])) for v in x],
-                   color=style.INK, ls="--", lw=1.0, marker="_", ms=14,
-                   label="truth", zorder=1)
+                   color=style.INK, lw=1.0, marker="_", ms=14, label="truth",
+                   zorder=1, ls="--" if study.quantities[quantity]["truth"]
+                   == "formula" else "none")
     upper.set_ylabel(axis_label(in_figure(
         study.quantities[quantity]["label"]), prefixed))
     upper.legend(loc="best")
@@ -436,7 +460,7 @@ def time_table(study, quantity):
     """Time to reach errors, by series."""
     entries = [e for e in study.data["time_to_reach"]
                if e["quantity"] == quantity]
-    if not entries or study.random_axes():
+    if not entries or not study.data["timing"]:
         return ""
     titles = {s["name"]: s["title"] for s in study.series}
     levels = [level["error"] for level in entries[0]["levels"]]
@@ -465,11 +489,12 @@ def time_table(study, quantity):
 
 def rate_table(study):
     """All fitted rates."""
-    if not study.data["rates"] or study.random_axes():
+    rates = [f for f in study.data["rates"] if study.converges(f["quantity"])]
+    if not rates:
         return ""
     titles = {s["name"]: s["title"] for s in study.series}
     rows = []
-    for f in study.data["rates"]:
+    for f in rates:
         where = ", ".join(f"{a} = {v}" for a, v in f["at"].items())
         rows.append([in_page(study.quantities[f["quantity"]]["label"]),
                      html.escape(titles[f["series"]]
