@@ -92,15 +92,24 @@ namespace Morsel::Study
     Record           &record = records[run];
     record.wall_time         = ended.wall_time;
     record.cpu_time          = ended.cpu_time;
-    if (ended.status != 0)
+    try
       {
-        record.state   = Record::State::failed;
-        record.message = failure_of(ended, messages_of(run));
+        if (ended.status == 0)
+          record.results = read_results(folder);
+        else
+          record.message = failure_of(ended, messages_of(run));
+      }
+    catch (const FileError &error)
+      {
+        record.message = error.what();
+      }
+    if (!record.message.empty())
+      {
+        record.state = Record::State::failed;
         save(record, folder);
         return true;
       }
     fs::remove(messages_of(run));
-    record.results  = read_results(folder);
     const auto time = record.results.find(study.time_result);
     if (time != record.results.end())
       record.times.push_back(time->second.value);

@@ -98,9 +98,9 @@ namespace Morsel::Study
           "Kind",
           axis.kind,
           "Its values: 'numbers' and 'texts' are listed in "
-          "Values; 'linear' and 'logarithmic' go from From to To "
-          "in Count steps of value; 'random' are Count draws "
-          "between From and To; 'seeds' are Seed, Seed + 1, ...",
+          "Values; 'linear' and 'logarithmic' are Count values "
+          "from From to To; 'random' are Count draws between "
+          "From and To; 'seeds' are Seed, Seed + 1, ...",
           Patterns::Selection("numbers|texts|linear|logarithmic|random|seeds"));
       prm.add_parameter("Values",
                         axis.values,
