@@ -137,11 +137,14 @@ def percent_ticks(axes):
 
 
 def plain_ticks(axis, values):
-    """Few logarithmic ticks in plain numbers where the range is small."""
-    if max(values) / min(values) < 300:
-        axis.set_major_formatter(plt.FuncFormatter(lambda v, _: f"{v:g}"))
-        axis.set_minor_formatter(plt.FuncFormatter(
-            lambda v, _: f"{v:g}" if f"{v:.0e}"[0] in "25" else ""))
+    """Logarithmic ticks in plain numbers; few where there are many decades."""
+    range_of = max(values) / min(values)
+    if range_of < 1e4:
+        axis.set_major_formatter(plt.FuncFormatter(
+            lambda v, _: f"{v:,g}".replace(",", "\u202f")))
+    axis.set_minor_formatter(plt.FuncFormatter(
+        lambda v, _: f"{v:,g}".replace(",", "\u202f")
+        if range_of < 25 and f"{v:.0e}"[0] in "25" else ""))
 
 
 def groups_of(runs, separated):
@@ -536,8 +539,7 @@ def statistics_table(study):
 def run_table(study):
     """Every run; long tables can be opened."""
     names = list(study.quantities)
-    head = ["Series"] + [html.escape(axis_label(a["label"], a["unit"]))
-                         for a in study.axes.values()]
+    head = ["Series", "Setting"]
     for n in names:
         label = in_page(study.quantities[n]["label"])
         head += [label] + (["error"] if study.has_errors(n) else [])
@@ -546,9 +548,8 @@ def run_table(study):
     rows = []
     for r in study.runs:
         row = [html.escape(titles[r["series"]])]
-        row += [html.escape(v if isinstance(v, str) else f"{v:.6g}")
-                if v is not None else "" for v in
-                (r["axes"].get(a) for a in study.axes)]
+        row.append("<br>".join(html.escape(study.name_of(a, r))
+                               for a in study.axes if a in r["axes"]))
         for n in names:
             q = r["quantities"][n]
             row.append("" if q["value"] is None else html.escape(
@@ -564,7 +565,7 @@ def run_table(study):
         else:
             row += [html.escape(r["status"]), "", ""]
         rows.append(row)
-    text = table(head, rows, 1)
+    text = table(head, rows, 2)
     if len(rows) > 40:
         text = (f"<details><summary>All {len(rows)} runs</summary>{text}"
                 "</details>")
