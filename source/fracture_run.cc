@@ -1,6 +1,7 @@
 #include "xfem_plan.h"
 #include "xfem_run.h"
 
+#include <morsel/core/errors.h>
 #include <morsel/core/failure.h>
 #include <morsel/core/parameters.h>
 #include <morsel/fracture_run.h>
@@ -38,6 +39,20 @@ namespace Morsel
       set_parameters(prm, read_entries(scene_file, overrides));
       if (plate.name.empty())
         prm.set("Name", std::filesystem::path(scene_file).stem().string());
+    }
+
+
+    /// Prescribed displacements are projected on the boundary by one rank.
+    void
+    check_ranks(const FE::PlateParameters &plate)
+    {
+      for (unsigned int side = 0; side < 4; ++side)
+        if (plate.support[side] == "displacement" &&
+            dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+          throw InputError(std::string("'Boundary/") +
+                           Fracture::side_names[side] +
+                           " support' is 'displacement', which works on one "
+                           "rank only: run without mpirun.");
     }
 
 
@@ -90,6 +105,7 @@ namespace Morsel
     read_plate(plate, prm, command_line.scene_file, command_line.overrides);
     check(plate);
     check_memory(plate);
+    check_ranks(plate);
     RunOptions options = command_line.run;
     if (options.threads > 0)
       dealii::MultithreadInfo::set_thread_limit(options.threads);

@@ -169,6 +169,13 @@ namespace Morsel::Fracture
   }
 
 
+  double
+  mouth_overhang(const PlateScene &plate)
+  {
+    return 0.01 * (plate.upper_corner - plate.lower_corner).norm();
+  }
+
+
   std::vector<Crack>
   make_cracks(const PlateScene &plate)
   {
@@ -190,7 +197,7 @@ namespace Morsel::Fracture
         cracks.push_back(crack);
       }
     for (Crack &crack : cracks)
-      crack = crack.with_extended_mouths(0.01 * size);
+      crack = crack.with_extended_mouths(mouth_overhang(plate));
     return cracks;
   }
 
