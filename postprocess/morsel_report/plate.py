@@ -257,8 +257,8 @@ def enrichment(run):
     if run.tips:
         # About the tips, with whatever is enriched there.
         marks = [1e3 * nodes.points[nodes.point_fields["kind"] >= 2]]
-        marks += [1e3 * (t.place + s * t.outer.max())
-                  for t in run.tips for s in ([[-1, -1]], [[1, 1]])]
+        marks += [1e3 * (t.place + np.array([[s, s]]) * t.outer.max())
+                  for t in run.tips for s in (-1, 1)]
         marks = np.concatenate([m for m in marks if len(m)])
         centre = 0.5 * (marks.min(axis=0) + marks.max(axis=0))
         half = 0.56 * np.ptp(marks, axis=0).max()
@@ -293,8 +293,9 @@ def enrichment(run):
         handles.append(plt.Line2D([], [], color=style.ORANGE))
         labels.append("rings (dashed: inner edge)")
     if handles:
-        figure.legend(handles, labels, loc="outside lower center",
-                      ncols=len(handles))
+        row[0][-1].legend(handles, labels, loc="upper right", ncols=2,
+                          bbox_to_anchor=(1.0, -0.015), borderaxespad=0,
+                          fontsize=8.5, columnspacing=1.0, handletextpad=0.3)
     return figure
 
 

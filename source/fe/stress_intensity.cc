@@ -89,6 +89,63 @@ namespace Morsel::FE
     }
 
 
+    /// Adds this rank's cells to the integrals.
+    void
+    add_cells(const ElasticProblem                       &problem,
+              const ElasticProblem::Solution             &solution,
+              const Fracture::CrackTip                   &tip,
+              std::vector<Fracture::InteractionIntegral> &integrals)
+    {
+      const XFEMSpace &space = problem.get_space();
+      double           reach = 0., inside = 1e300, resolution = 1e300;
+      for (const auto &integral : integrals)
+        {
+          const Fracture::Ring &ring = integral.get_ring();
+          reach                      = std::max(reach, ring.outer_radius);
+          inside                     = std::min(inside, ring.inner_radius);
+          resolution                 = std::min(resolution,
+                                0.6 * (ring.outer_radius - ring.inner_radius));
+        }
+
+      CellFunctions                        functions(space);
+      std::vector<types::global_dof_index> dofs;
+      std::vector<double>                  local;
+      for (const auto &cell : space.get_dof_handler().active_cell_iterators())
+        {
+          if (!cell->is_locally_owned())
+            continue;
+          const double r = cell->center().distance(tip.position);
+          const double d = 0.5 * cell->diameter();
+          if (r - d > reach || r + d < inside)
+            continue;
+          const QuadMap        map = make_map(cell);
+          const CellQuadrature q =
+              ring_quadrature(space, cell, map, tip, inside, reach, resolution);
+          if (q.points.empty())
+            continue;
+          dofs.resize(cell->get_fe().n_dofs_per_cell());
+          local.resize(dofs.size());
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            local[i] = solution(dofs[i]);
+          const auto samples =
+              functions.sample(cell,
+                               map,
+                               functions.coefficients(cell, local),
+                               q.points,
+                               q.reference);
+          for (unsigned int p = 0; p < q.points.size(); ++p)
+            {
+              const auto sigma =
+                  problem.get_material().stress(samples[p].gradient);
+              for (auto &integral : integrals)
+                integral.add(
+                    q.points[p], samples[p].gradient, sigma, q.weights[p]);
+            }
+        }
+    }
+
+
     /// Adds the faces' part of J_2 to the integrals, whose rings grow in
     /// their order. The energies of the two faces differ like r^(-1/2):
     /// Gauss points in the square root of the distance.
@@ -222,8 +279,8 @@ namespace Morsel::FE
              << ") m " << result.n_rings_on_blending_layer
              << " overlap the layer from " << blending.inner_radius << " to "
              << blending.outer_radius
-             << " m in which the tip functions fade out, which at degree 1 "
-                "about doubles the error: choose a larger enrichment radius, a "
+             << " m in which the tip functions fade out, where K depends on "
+                "the ring at degree 1: choose a larger enrichment radius, a "
                 "finer mesh, or degree 2.";
     result.remark = remark.str();
     return result;
@@ -239,53 +296,9 @@ namespace Morsel::FE
     const XFEMSpace          &space = problem.get_space();
     const Fracture::CrackTip &tip   = space.get_tips()[result.tip];
     std::vector<Fracture::InteractionIntegral> integrals;
-    double reach = 0., inside = 1e300, resolution = 1e300;
     for (const Fracture::Ring &ring : result.rings)
-      {
-        integrals.emplace_back(tip, problem.get_material(), ring);
-        reach  = std::max(reach, ring.outer_radius);
-        inside = std::min(inside, ring.inner_radius);
-        resolution =
-            std::min(resolution, 0.6 * (ring.outer_radius - ring.inner_radius));
-      }
-
-    CellFunctions                        functions(space);
-    std::vector<types::global_dof_index> dofs;
-    std::vector<double>                  local;
-    for (const auto &cell : space.get_dof_handler().active_cell_iterators())
-      {
-        if (!cell->is_locally_owned())
-          continue;
-        const double r = cell->center().distance(tip.position);
-        const double d = 0.5 * cell->diameter();
-        if (r - d > reach || r + d < inside)
-          continue;
-        const QuadMap        map = make_map(cell);
-        const CellQuadrature q =
-            ring_quadrature(space, cell, map, tip, inside, reach, resolution);
-        if (q.points.empty())
-          continue;
-        dofs.resize(cell->get_fe().n_dofs_per_cell());
-        local.resize(dofs.size());
-        cell->get_dof_indices(dofs);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          local[i] = solution(dofs[i]);
-        const auto samples =
-            functions.sample(cell,
-                             map,
-                             functions.coefficients(cell, local),
-                             q.points,
-                             q.reference);
-        for (unsigned int p = 0; p < q.points.size(); ++p)
-          {
-            const auto sigma =
-                problem.get_material().stress(samples[p].gradient);
-            for (auto &integral : integrals)
-              integral.add(
-                  q.points[p], samples[p].gradient, sigma, q.weights[p]);
-          }
-      }
-
+      integrals.emplace_back(tip, problem.get_material(), ring);
+    add_cells(problem, solution, tip, integrals);
     if (both_components)
       add_crack_faces(problem, solution, tip, integrals);
     const MPI_Comm communicator = solution.get_mpi_communicator();
