@@ -148,7 +148,9 @@ namespace Morsel::FE
 
     /// Adds the faces' part of J_2 to the integrals, whose rings grow in
     /// their order. The energies of the two faces differ like r^(-1/2):
-    /// Gauss points in the square root of the distance.
+    /// Gauss points in the square root of the distance. They keep a small angle
+    /// off the faces, not a small distance: near the tip the energy's odd part
+    /// grows like the angle over r.
     void
     add_crack_faces(const ElasticProblem                       &problem,
                     const ElasticProblem::Solution             &solution,
@@ -171,7 +173,7 @@ namespace Morsel::FE
       for (const double side : {1., -1.})
         for (const double r : distances)
           points.push_back(tip.position - r * tip.direction +
-                           side * 1e-6 * reach * normal);
+                           side * 1e-6 * r * normal);
       const auto samples = sample_points(problem, solution, points);
       // Every rank has all values: one of them adds.
       if (Utilities::MPI::this_mpi_process(solution.get_mpi_communicator()) > 0)
