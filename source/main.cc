@@ -117,6 +117,11 @@ main(int argc, char **argv)
             parameter_format(command_line.print_parameters),
             command_line.scene_file,
             command_line.overrides);
+        // The pages of reference show both kinds of scenes.
+        if (command_line.print_parameters == "md" &&
+            command_line.scene_file.empty())
+          std::cout << "\n# Cracked plates (Method = XFEM)\n"
+                    << default_fracture_parameters("md");
       });
     else
       run(command_line);
