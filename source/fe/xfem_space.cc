@@ -378,6 +378,13 @@ namespace Morsel::FE
     std::map<std::pair<unsigned int, unsigned int>, types::global_dof_index>
                                          first;
     std::vector<types::global_dof_index> dofs;
+    const auto representative = [&](types::global_dof_index dof) {
+      for (const auto *tie = constraints.get_constraint_entries(dof);
+           tie != nullptr && tie->size() == 1 && (*tie)[0].second == 1.;
+           tie = constraints.get_constraint_entries(dof))
+        dof = (*tie)[0].first;
+      return dof;
+    };
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         if (cell->is_artificial() ||
@@ -402,13 +409,12 @@ namespace Morsel::FE
                   first.insert({{cell->vertex_index(v), place}, dofs[local]});
               if (fresh || entry->second == dofs[local])
                 continue;
-              // Tied already, from another of the vertex's cells?
-              const auto *tie = constraints.get_constraint_entries(dofs[local]);
-              if (tie != nullptr && tie->size() == 1 &&
-                  (*tie)[0].first == entry->second)
+              // Either may be tied already, perhaps to a third one: tie what
+              // they are tied to, or the ties would run in a circle.
+              types::global_dof_index slave = representative(dofs[local]);
+              types::global_dof_index other = representative(entry->second);
+              if (slave == other)
                 continue;
-              types::global_dof_index slave = dofs[local];
-              types::global_dof_index other = entry->second;
               if (constraints.is_constrained(slave))
                 std::swap(slave, other);
               if (constraints.is_constrained(slave))
