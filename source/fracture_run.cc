@@ -284,28 +284,26 @@ namespace Morsel
             ? "_" +
                   std::to_string(Utilities::MPI::this_mpi_process(communicator))
             : "";
-    run_on_all_ranks(communicator, [&] {
-      Output::write_atomically(folder + "/solution/plate" + rank + ".vtu",
-                               FE::open_crack_vtu(problem.get_problem(),
-                                                  problem.get_solution(),
-                                                  results.tips,
-                                                  plate.degree > 1 ? 4 : 1));
-      Output::write_atomically(folder + "/solution/enriched_nodes" + rank +
-                                   ".vtu",
-                               FE::enriched_nodes_vtu(problem.get_space()));
-    });
-    first_rank.run([&] {
-      write_rings(folder + "/stress_intensity.csv", results);
-      const std::string used = parameters_as_prm(prm, false);
-      Output::write_atomically(folder + "/used.prm", used);
-      summary.add_text("title", plate.title);
-      summary.add_text("deal_ii_version", DEAL_II_PACKAGE_VERSION);
-      summary.add_text("parameters_hash", text_hash(used));
-      summary.add("wall_time", whole.wall_time(), "s", "whole run");
-      Utilities::System::MemoryStats memory;
-      Utilities::System::get_memory_stats(memory);
-      summary.add("peak_memory", 1024. * memory.VmHWM, "B", "resident, rank 0");
-      summary.write(folder + "/summary.json");
-    });
+    Output::write_atomically(folder + "/solution/plate" + rank + ".vtu",
+                             FE::open_crack_vtu(problem.get_problem(),
+                                                problem.get_solution(),
+                                                results.tips,
+                                                plate.degree > 1 ? 4 : 1));
+    Output::write_atomically(folder + "/solution/enriched_nodes" + rank +
+                                 ".vtu",
+                             FE::enriched_nodes_vtu(problem.get_space()));
+    if (!first)
+      return;
+    write_rings(folder + "/stress_intensity.csv", results);
+    const std::string used = parameters_as_prm(prm, false);
+    Output::write_atomically(folder + "/used.prm", used);
+    summary.add_text("title", plate.title);
+    summary.add_text("deal_ii_version", DEAL_II_PACKAGE_VERSION);
+    summary.add_text("parameters_hash", text_hash(used));
+    summary.add("wall_time", whole.wall_time(), "s", "whole run");
+    Utilities::System::MemoryStats memory;
+    Utilities::System::get_memory_stats(memory);
+    summary.add("peak_memory", 1024. * memory.VmHWM, "B", "resident, rank 0");
+    summary.write(folder + "/summary.json");
   }
 } // namespace Morsel

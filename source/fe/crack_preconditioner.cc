@@ -7,6 +7,7 @@
 #include <ml_MultiLevelPreconditioner.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 
@@ -20,8 +21,66 @@ namespace Morsel::FE
 
     /// ML drops couplings below this share of the diagonal's geometric mean
     /// when it aggregates; 0.05 keeps the condition number of quadratic
-    /// elements on long cracks five times lower than 0.
+    /// elements on long cracks seven times lower than 0.
     constexpr double weak_coupling = 0.05;
+
+
+    /// Free dofs of this rank at one node; invalid: constrained, or not of this
+    /// rank.
+    struct Node
+    {
+      std::array<types::global_dof_index, 2> dofs;
+      Point<2>                               position;
+    };
+
+
+    /// The nodes of base functions and minus sides that hold any such dof.
+    std::vector<Node>
+    collect_nodes(const XFEMSpace                 &space,
+                  const AffineConstraints<double> &constraints,
+                  const PhantomNodes              &nodes)
+    {
+      const auto       &handler = space.get_dof_handler();
+      const IndexSet   &owned   = handler.locally_owned_dofs();
+      std::vector<Node> list;
+      std::vector<bool> taken(owned.n_elements(), false);
+      std::map<unsigned int, std::vector<Point<2>>> nodes_of_degree;
+      std::vector<types::global_dof_index>          dofs;
+      const auto take = [&](const types::global_dof_index dof) {
+        if (!owned.is_element(dof) || constraints.is_constrained(dof) ||
+            taken[owned.index_within_set(dof)])
+          return false;
+        taken[owned.index_within_set(dof)] = true;
+        return true;
+      };
+      for (const auto &cell : handler.active_cell_iterators())
+        {
+          if (cell->is_artificial())
+            continue;
+          const LocalNumbering &n =
+              space.get_numbering(cell->active_fe_index());
+          const QuadMap map    = make_map(cell);
+          auto         &points = nodes_of_degree[n.degree];
+          if (points.empty())
+            points = FE_Q<2>(n.degree).get_unit_support_points();
+          dofs.resize(n.kind.size());
+          cell->get_dof_indices(dofs);
+          std::map<unsigned int, Node> by_function;
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            if ((n.kind[i] == 0 || nodes.is_minus_side(dofs[i])) &&
+                take(dofs[i]))
+              by_function
+                  .try_emplace(
+                      n.function[i],
+                      Node{{{numbers::invalid_dof_index,
+                             numbers::invalid_dof_index}},
+                           map.to_physical(points[n.function[i] % n.n_base])})
+                  .first->second.dofs[n.component[i]] = dofs[i];
+          for (const auto &entry : by_function)
+            list.push_back(entry.second);
+        }
+      return list;
+    }
   } // namespace
 
 
@@ -146,66 +205,12 @@ namespace Morsel::FE
                          const AffineConstraints<double> &constraints,
                          const PhantomNodes              &nodes)
   {
-    // Owned dofs of both components of a node.
-    struct Node
-    {
-      std::array<types::global_dof_index, 2> dofs;
-      Point<2>                               position;
-    };
-    const auto     &handler = space.get_dof_handler();
-    const IndexSet &owned   = handler.locally_owned_dofs();
+    const IndexSet &owned = space.get_dof_handler().locally_owned_dofs();
     const MPI_Comm  communicator =
-        handler.get_triangulation().get_communicator();
-    std::vector<Node>                    list;
-    std::vector<bool>                    taken(owned.n_elements(), false);
-    std::vector<types::global_dof_index> dofs;
-    const auto                           lives = [&](const auto dof) {
-      return dof != numbers::invalid_dof_index && owned.is_element(dof) &&
-             !constraints.is_constrained(dof);
-    };
-    for (const auto &cell : handler.active_cell_iterators())
-      {
-        if (cell->is_artificial())
-          continue;
-        const LocalNumbering &n = space.get_numbering(cell->active_fe_index());
-        const QuadMap         map = make_map(cell);
-        const FE_Q<2>         fe(n.degree);
-        dofs.resize(n.kind.size());
-        cell->get_dof_indices(dofs);
-        std::map<unsigned int, std::array<types::global_dof_index, 2>> by_node;
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          if (n.kind[i] == 0 || nodes.is_minus_side(dofs[i]))
-            {
-              auto &both =
-                  by_node
-                      .try_emplace(n.function[i],
-                                   std::array<types::global_dof_index, 2>{
-                                       {numbers::invalid_dof_index,
-                                        numbers::invalid_dof_index}})
-                      .first->second;
-              both[n.component[i]] = dofs[i];
-            }
-        for (auto &[function, both] : by_node)
-          {
-            Node node{both,
-                      map.to_physical(
-                          fe.get_unit_support_points()[function % n.n_base])};
-            bool fresh = false;
-            for (types::global_dof_index &d : node.dofs)
-              if (lives(d) && !taken[owned.index_within_set(d)])
-                {
-                  taken[owned.index_within_set(d)] = true;
-                  fresh                            = true;
-                }
-              else
-                d = numbers::invalid_dof_index;
-            if (fresh)
-              list.push_back(node);
-          }
-      }
-
-    Slots              slots;
-    const unsigned int n_rows = 2 * list.size();
+        space.get_dof_handler().get_triangulation().get_communicator();
+    const std::vector<Node> list = collect_nodes(space, constraints, nodes);
+    Slots                   slots;
+    const unsigned int      n_rows = 2 * list.size();
     const auto by_rank = Utilities::MPI::all_gather(communicator, n_rows);
     const auto here =
         by_rank.begin() + Utilities::MPI::this_mpi_process(communicator);
@@ -215,7 +220,7 @@ namespace Morsel::FE
         std::accumulate(here, by_rank.end(), first);
     slots.owned = IndexSet(total);
     slots.owned.add_range(first, first + n_rows);
-    slots.row_of_dof.reinit(owned, space.get_relevant_dofs(), communicator);
+    slots.row_of_dof = nodes.zero_field();
     slots.modes.assign(3 * n_rows, 0.);
     for (unsigned int k = 0; k < list.size(); ++k)
       for (unsigned int c = 0; c < 2; ++c)

@@ -67,8 +67,7 @@ namespace Morsel::FE
     const PhantomNodes nodes(space, constraints);
     auto               elements = collect_elements(constraints);
     for (ElementSystem &e : elements)
-      if (e.enriched)
-        nodes.split(e);
+      nodes.split(e);
     TrilinosWrappers::SparseMatrix matrix;
     assemble_matrix(
         elements,
@@ -79,7 +78,7 @@ namespace Morsel::FE
         handler.locally_owned_dofs(),
         communicator,
         matrix);
-    Solution solution = make_solution(), rhs = make_solution();
+    Solution rhs = nodes.zero_field();
     for (const ElementSystem &e : elements)
       for (unsigned int i = 0; i < e.dofs.size(); ++i)
         rhs(e.dofs[i]) += e.rhs(i);
@@ -87,7 +86,7 @@ namespace Morsel::FE
     report.assembly_time = timer.wall_time();
     timer.restart();
 
-    const PatchSolver    patch(elements, mark_patch(elements, make_solution()));
+    const PatchSolver patch(elements, mark_patch(elements, nodes.zero_field()));
     const NodalMultigrid multigrid(elements, space, constraints, nodes);
     elements.clear();
     const CrackPreconditioner preconditioner(matrix, patch, multigrid);
@@ -114,9 +113,12 @@ namespace Morsel::FE
         throw NumericalError(message.str());
       }
 
-    std::copy(x.begin(), x.end(), solution.begin());
-    solution.update_ghost_values();
-    nodes.join(solution);
+    Solution sides = nodes.zero_field();
+    std::copy(x.begin(), x.end(), sides.begin());
+    sides.update_ghost_values();
+    nodes.join(sides);
+    Solution solution = make_solution();
+    std::copy(sides.begin(), sides.end(), solution.begin());
     constraints.distribute(solution);
     report.solver       = "preconditioned conjugate gradients";
     report.n_iterations = control.last_step();

@@ -11,8 +11,13 @@ namespace Morsel::FE
                              const AffineConstraints<double> &constraints)
   {
     const auto &handler = space.get_dof_handler();
+    // Masters of masters may lie beyond the ghost cells.
+    IndexSet in_reach(space.get_relevant_dofs());
+    for (const auto &line : constraints.get_lines())
+      for (const auto &entry : line.entries)
+        in_reach.add_index(entry.first);
     jump_of.reinit(handler.locally_owned_dofs(),
-                   space.get_relevant_dofs(),
+                   in_reach,
                    handler.get_triangulation().get_communicator());
     base_of.reinit(jump_of);
     std::vector<types::global_dof_index> dofs;

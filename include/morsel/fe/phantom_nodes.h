@@ -41,6 +41,14 @@ namespace Morsel::FE
       return at(base_of, dof) != none;
     }
 
+    /// Zeros on this rank's dofs, with ghost values for all others that its
+    /// condensed elements name.
+    DofField
+    zero_field() const
+    {
+      return DofField(jump_of.get_partitioner());
+    }
+
   private:
     static unsigned int
     at(const DofField &field, const dealii::types::global_dof_index dof)
