@@ -42,13 +42,18 @@ namespace Morsel
     }
 
 
-    /// Prescribed displacements are projected on the boundary by one rank.
+    /// Prescribed displacements are projected on the boundary by one rank, and
+    /// UMFPACK is serial.
     void
     check_ranks(const FE::PlateParameters &plate)
     {
+      if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+        return;
+      if (plate.solver == "umfpack")
+        throw InputError("'XFEM/Solver' is 'umfpack', which works on one rank "
+                         "only: choose 'multifrontal' or 'iterative'.");
       for (unsigned int side = 0; side < 4; ++side)
-        if (plate.support[side] == "displacement" &&
-            dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+        if (plate.support[side] == "displacement")
           throw InputError(std::string("'Boundary/") +
                            Fracture::side_names[side] +
                            " support' is 'displacement', which works on one "
