@@ -47,7 +47,7 @@ namespace Morsel::FE
         mark_vertices();
         classify_cells();
       }
-    build_collection(degrees);
+    build_collection(raise_degrees(degrees));
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant_dofs);
     make_constraints();
   }
@@ -341,7 +341,7 @@ namespace Morsel::FE
     const SupportFields fields = gather_support(hanging);
 
     const double tolerance =
-        tip_parameters.empty() ? 1e-4 : tip_parameters[0].area_tolerance;
+        tip_parameters.empty() ? 1e-10 : tip_parameters[0].area_tolerance;
     std::vector<types::global_dof_index> dofs;
     for (const auto &cell : dof_handler.active_cell_iterators())
       {

@@ -30,7 +30,7 @@ namespace Morsel::FE
 
   /// Rings about a tip that stay clear of boundary, kinks, other cracks and,
   /// where there is room, of the blending layer of the tip functions. Rings
-  /// thinner than two cells bring a remark.
+  /// thinner than 4/degree cells bring a remark.
   /// @param radius wished outer radius of the largest ring [m], 0: the
   ///   largest that fits
   /// @throws InputError if no ring fits between the tip and its surroundings
