@@ -83,8 +83,11 @@ namespace Morsel::FE
       const Tensor<1, 2> eb = b - apex;
       const double       ra = ea.norm(), rb = eb.norm();
       const double       far = std::max(ra, rb);
-      if (std::min(ra, rb) <= 1e-13 * far ||
-          std::abs(cross(ea, eb)) <= 1e-13 * far * far)
+      // Nothing is left of a triangle thinner than the coordinates' round-off.
+      const double thin =
+          1e-13 * far +
+          8. * std::numeric_limits<double>::epsilon() * apex.norm();
+      if (std::min(ra, rb) <= thin || std::abs(cross(ea, eb)) <= thin * far)
         return;
       const double cosine = (ea * eb) / (ra * rb);
       if (depth < 30 && (cosine < 0.4 || far > 2.5 * std::min(ra, rb)))

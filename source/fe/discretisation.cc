@@ -28,6 +28,15 @@ namespace Morsel::FE
                       degree,
                       "Of displacement and jump [1].",
                       Patterns::Integer(1, 8));
+    prm.add_parameter("Degree drop",
+                      degree_drop,
+                      "What the degree loses with each refinement level, "
+                      "rounded down: grading in h and p [1].",
+                      Patterns::Double(0., 4.));
+    prm.add_parameter("Smallest degree",
+                      smallest_degree,
+                      "Where the degree's drop ends [1].",
+                      Patterns::Integer(1, 8));
     prm.add_parameter("Tip degree",
                       tip_degree,
                       "Of the multipliers of the tip functions [1].",

@@ -154,12 +154,28 @@ namespace Morsel::FE
   }
 
 
+  std::vector<unsigned int>
+  PlateProblem::cell_degrees() const
+  {
+    std::vector<unsigned int> degrees(triangulation.n_active_cells(),
+                                      parameters.degree);
+    const unsigned int        smallest =
+        std::min(parameters.smallest_degree, parameters.degree);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      {
+        const unsigned int drop = parameters.degree_drop * cell->level();
+        degrees[cell->active_cell_index()] = std::max(
+            smallest, parameters.degree - std::min(parameters.degree, drop));
+      }
+    return degrees;
+  }
+
+
   void
   PlateProblem::set_up()
   {
     check_tips_apart(triangulation, space->get_tips());
-    space->distribute(std::vector<unsigned int>(triangulation.n_active_cells(),
-                                                parameters.degree));
+    space->distribute(cell_degrees());
     problem = std::make_unique<ElasticProblem>(*space, material);
     apply_boundary_conditions();
   }

@@ -191,7 +191,7 @@ namespace Morsel::FE
     const SupportFields fields = gather_support(hanging);
 
     const double tolerance =
-        tip_parameters.empty() ? 1e-4 : tip_parameters[0].area_tolerance;
+        tip_parameters.empty() ? 1e-10 : tip_parameters[0].area_tolerance;
     std::vector<types::global_dof_index> dofs;
     for (const auto &cell : dof_handler.active_cell_iterators())
       {

@@ -46,7 +46,7 @@ namespace Morsel::FE
         mark_vertices();
         classify_cells();
       }
-    build_collection(degrees);
+    build_collection(raise_degrees(degrees));
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant_dofs);
     make_constraints();
   }

@@ -79,6 +79,8 @@ namespace Morsel::FE
   private:
     void
     make_mesh();
+    std::vector<unsigned int>
+    cell_degrees() const;
     void
     solve_once();
     void
