@@ -6,6 +6,7 @@
 #include <morsel/fracture_run.h>
 #include <morsel/output/atomic_file.h>
 #include <morsel/output/summary.h>
+#include <morsel/particle_plate_run.h>
 
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
@@ -157,17 +158,20 @@ namespace Morsel
   {
     if (scene_file.empty())
       return false;
-    return last_value(read_entries(scene_file, overrides), "Method", "") ==
-           "XFEM";
+    const std::string method =
+        last_value(read_entries(scene_file, overrides), "Method", "");
+    return method == "XFEM" || method == "SPH";
   }
 
 
   std::string
   fracture_parameters(const CommandLine &command_line)
   {
-    FE::PlateParameters plate;
-    ParameterHandler    prm;
+    FE::PlateParameters      plate;
+    SPH::PlateDiscretisation particles;
+    ParameterHandler         prm;
     plate.declare(prm);
+    particles.declare(prm);
     set_parameters(
         prm, read_entries(command_line.scene_file, command_line.overrides));
     return command_line.print_parameters == "json" ? parameters_as_json(prm)
@@ -180,15 +184,23 @@ namespace Morsel
   void
   run_fracture_scene(const CommandLine &command_line)
   {
-    Timer               whole;
-    FE::PlateParameters plate;
-    ParameterHandler    prm;
+    Timer                    whole;
+    FE::PlateParameters      plate;
+    SPH::PlateDiscretisation particles;
+    ParameterHandler         prm;
     plate.declare(prm);
+    particles.declare(prm);
     set_parameters(
         prm, read_entries(command_line.scene_file, command_line.overrides));
     if (plate.name.empty())
       plate.name =
           std::filesystem::path(command_line.scene_file).stem().string();
+    if (plate.method == "SPH")
+      {
+        run_particle_plate(
+            command_line, {plate, particles}, parameters_as_prm(prm, false));
+        return;
+      }
     check(plate);
     const auto         cracks       = make_cracks(plate);
     const MPI_Comm     communicator = MPI_COMM_WORLD;

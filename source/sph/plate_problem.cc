@@ -1,0 +1,188 @@
+#include <morsel/core/errors.h>
+#include <morsel/fracture/energy_release.h>
+#include <morsel/sph/plate_problem.h>
+
+#include <deal.II/base/timer.h>
+#include <deal.II/base/utilities.h>
+
+#include <array>
+
+namespace Morsel::SPH
+{
+  using dealii::Point;
+  using dealii::Tensor;
+  using dealii::Timer;
+
+  namespace
+  {
+    double
+    particle_spacing(const PlateParameters &plate)
+    {
+      const Tensor<1, 2> size = plate.upper_corner - plate.lower_corner;
+      return std::sqrt(size[0] / plate.particles_x * size[1] /
+                       plate.particles_y);
+    }
+
+
+    Filling
+    filling_of(const PlateParameters &plate)
+    {
+      Filling filling;
+      filling.lower         = plate.lower_corner;
+      filling.upper         = plate.upper_corner;
+      filling.n_x           = plate.particles_x;
+      filling.n_y           = plate.particles_y;
+      filling.fit_to_cracks = plate.fit_to_cracks;
+      filling.scatter       = plate.scatter;
+      filling.seed          = plate.seed;
+      return filling;
+    }
+  } // namespace
+
+
+  void
+  check(const PlateParameters &plate)
+  {
+    Fracture::check(plate);
+    const Tensor<1, 2> size = plate.upper_corner - plate.lower_corner;
+    const double       ratio =
+        size[0] / plate.particles_x / (size[1] / plate.particles_y);
+    if (ratio < 0.8 || ratio > 1.25)
+      throw InputError(
+          "'SPH/Particles along x' and 'along y' give spacings of " +
+          dealii::Utilities::to_string(size[0] / plate.particles_x) + " and " +
+          dealii::Utilities::to_string(size[1] / plate.particles_y) +
+          " m, but the one must be between 0.8 and 1.25 of the other.");
+  }
+
+
+  PlateProblem::PlateProblem(const PlateParameters              &parameters,
+                             const std::vector<Fracture::Crack> &cracks)
+      : parameters(parameters)
+      , material(parameters.youngs_modulus,
+                 parameters.poissons_ratio,
+                 parameters.plane_stress)
+      , cracks(cracks)
+      , tips(Fracture::collect_tips(cracks))
+      , visibility(cracks,
+                   tip_handling_named(parameters.tip_handling),
+                   2. * parameters.smoothing_ratio *
+                       particle_spacing(parameters))
+  {
+    Timer timer;
+    cloud = fill_rectangle(filling_of(parameters), cracks);
+    shape = std::make_unique<ShapeFunctions>(
+        cloud,
+        Kernel(kernel_named(parameters.kernel),
+               parameters.smoothing_ratio * cloud.spacing),
+        visibility);
+    results.n_particles = cloud.size();
+    results.cloud_time  = timer.wall_time();
+  }
+
+
+  void
+  PlateProblem::apply_boundary_conditions(StaticSolid &solid) const
+  {
+    bool held[2]  = {false, false};
+    bool no_turns = false;
+    for (unsigned int side = 0; side < 4; ++side)
+      {
+        const unsigned int normal = side < 2 ? 0 : 1;
+        if (parameters.support[side] != "free")
+          {
+            solid.hold(side, normal);
+            held[normal] = no_turns = true;
+          }
+        if (parameters.support[side] == "clamp")
+          {
+            solid.hold(side, 1 - normal);
+            held[1 - normal] = true;
+          }
+        const Point<2> traction =
+            Fracture::read_pair(parameters.traction[side], "Boundary/traction");
+        if (traction.norm() > 0.)
+          solid.apply_traction(side, traction - Point<2>());
+      }
+    const auto pin = [&](const Point<2> &place, const unsigned int component) {
+      ShapeValues values;
+      shape->evaluate(place, place, values);
+      solid.pin(values, component);
+    };
+    const Point<2> &low  = parameters.lower_corner;
+    const Point<2> &high = parameters.upper_corner;
+    for (unsigned int d = 0; d < 2; ++d)
+      if (!held[d])
+        pin(Point<2>(high[0], low[1]), d);
+    if (!no_turns)
+      pin(high, 0);
+  }
+
+
+  const PlateResults &
+  PlateProblem::run()
+  {
+    Timer                  timer;
+    const DiscreteGradient gradient = parameters.gradient == "matrix"
+                                          ? matrix_gradient(*shape)
+                                          : conforming_gradient(*shape);
+    const ResidualControl  control  = residual_control(
+        *shape, parameters.hourglass * parameters.youngs_modulus);
+    const auto boundary   = boundary_facets(*shape);
+    results.operator_time = timer.wall_time();
+    results.n_neighbours =
+        static_cast<double>(gradient.list.index.size()) / cloud.size();
+
+    StaticSolid solid(*shape,
+                      gradient,
+                      control,
+                      boundary,
+                      material,
+                      parameters.youngs_modulus);
+    apply_boundary_conditions(solid);
+    displacement  = solid.solve();
+    results.solve = solid.get_report();
+
+    timer.restart();
+    gradients.resize(cloud.size());
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      gradients[i] = gradient.gradient(i, displacement);
+    results.strain_energy    = solid.strain_energy(displacement);
+    results.hourglass_energy = control.energy(displacement);
+    results.external_work    = solid.traction_work(displacement);
+    results.tips.clear();
+    for (unsigned int t = 0; t < tips.size(); ++t)
+      {
+        results.tips.push_back(
+            choose_rings(cloud, cracks, tips[t], parameters.ring_radius));
+        results.tips.back().tip = t;
+        evaluate_rings(
+            *shape, gradients, material, tips[t], results.tips.back());
+      }
+    results.tip_time = timer.wall_time();
+    return results;
+  }
+
+
+  double
+  energy_route(const PlateParameters &parameters, const double energy)
+  {
+    const double          da = parameters.energy_growth;
+    std::array<double, 3> energies{{energy, 0., 0.}};
+    for (unsigned int i = 1; i < 3; ++i)
+      {
+        std::vector<Fracture::Crack> cracks;
+        for (const Fracture::Crack &crack : make_cracks(parameters))
+          cracks.push_back(crack.with_moved_tips(i * da));
+        PlateProblem problem(parameters, cracks);
+        energies[i] = problem.run().strain_energy;
+      }
+    const Fracture::ElasticPlane material(parameters.youngs_modulus,
+                                          parameters.poissons_ratio,
+                                          parameters.plane_stress);
+    return Fracture::stress_intensity_of_energy(
+        Fracture::energy_difference(
+            energies, da, Fracture::HeldQuantity::traction),
+        material.effective_modulus);
+  }
+} // namespace Morsel::SPH
