@@ -1,17 +1,17 @@
-#include <morsel/core/errors.h>
+#include "particle_plate_run.h"
+
+#include "plate_summary.h"
+
 #include <morsel/core/log.h>
-#include <morsel/core/parameters.h>
+#include <morsel/fracture/plate_output.h>
 #include <morsel/output/atomic_file.h>
-#include <morsel/output/summary.h>
-#include <morsel/particle_plate_run.h>
+#include <morsel/sph/plate_output.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 
-#include <cmath>
-#include <iostream>
-#include <optional>
+#include <algorithm>
 #include <sstream>
 
 namespace Morsel
@@ -20,204 +20,205 @@ namespace Morsel
 
   namespace
   {
-    /// "" for the first tip of the first crack, "_tip1", "_crack1_tip0" else.
-    std::string
-    tip_suffix(const Fracture::CrackTip &tip, const unsigned int number)
+    std::vector<Output::Effect>
+    effects_of(const SPH::PlateParameters         &plate,
+               const std::vector<Fracture::Crack> &cracks)
     {
-      std::string suffix;
-      if (tip.crack > 0)
-        suffix += "_crack" + std::to_string(tip.crack);
-      if (tip.crack > 0 || number > 0)
-        suffix += "_tip" + std::to_string(number);
-      return suffix;
-    }
-
-
-    void
-    add_tips(Output::Summary                    &summary,
-             const Fracture::PlateScene         &plate,
-             const std::vector<Fracture::Crack> &cracks,
-             const std::vector<SPH::TipResult>  &results)
-    {
-      const auto   tips   = Fracture::collect_tips(cracks);
-      unsigned int number = 0;
-      for (unsigned int t = 0; t < results.size(); ++t)
-        {
-          number = t > 0 && tips[t].crack == tips[t - 1].crack ? number + 1 : 0;
-          const std::string suffix    = tip_suffix(tips[t], number);
-          const auto       &r         = results[t].statistics;
-          const auto        reference = [&](const double value) {
-            return t == 0 && value != 0. ? std::optional<double>(value)
-                                                : std::nullopt;
-          };
-          summary.add("stress_intensity_I" + suffix,
-                      r.mean.mode_I,
-                      "Pa sqrt(m)",
-                      "K_I by interaction integral, mean over the rings",
-                      reference(plate.reference_I));
-          summary.add("stress_intensity_II" + suffix,
-                      r.mean.mode_II,
-                      "Pa sqrt(m)",
-                      "K_II by interaction integral, mean over the rings",
-                      reference(plate.reference_II));
-          summary.add("stress_intensity_I_spread" + suffix,
-                      r.spread.mode_I,
-                      "Pa sqrt(m)",
-                      "largest minus smallest K_I over the rings");
-          summary.add("stress_intensity_II_spread" + suffix,
-                      r.spread.mode_II,
-                      "Pa sqrt(m)",
-                      "largest minus smallest K_II over the rings");
-        }
-      const double formula = Fracture::formula_stress_intensity(plate, cracks);
-      if (formula != 0. && !results.empty())
-        summary.add("stress_intensity_I_over_formula",
-                    results[0].statistics.mean.mode_I / formula,
-                    "1",
-                    "ratio to the handbook formula T3-48");
+      return {
+          {std::string("elastic plate (") +
+               (plate.plane_stress ? "plane stress" : "plane strain") + ")",
+           true,
+           "Material",
+           0.},
+          {plate.gradient + " gradient", true, "SPH/Gradient", 0.},
+          {"residual control of zero-energy modes",
+           plate.hourglass > 0.,
+           "SPH/Hourglass coefficient",
+           0.},
+          {"particles fitted to " + std::to_string(cracks.size()) + " crack(s)",
+           !cracks.empty() && plate.fit_to_cracks,
+           "SPH/Fit to cracks",
+           0.},
+          {"scattered particles", plate.scatter > 0., "SPH/Scatter", 0.},
+          {"cracks by " + plate.tip_handling,
+           !cracks.empty(),
+           "SPH/Tip handling",
+           0.}};
     }
 
 
     void
     add_costs(Output::Summary &summary, const SPH::PlateResults &results)
     {
-      summary.add(
-          "strain_energy", results.strain_energy, "J/m", "per metre of depth");
-      summary.add("hourglass_energy",
-                  results.hourglass_energy,
-                  "J/m",
-                  "part of the strain energy in the residual of the local "
-                  "linear fit");
-      summary.add("external_work",
-                  results.external_work,
-                  "J/m",
-                  "traction times displacement, per metre of depth");
-      summary.add("particle_count", results.n_particles, "1", "particles");
-      summary.add("neighbours_per_particle",
-                  results.n_neighbours,
-                  "1",
-                  "in the discrete gradient, mean");
-      summary.add("dof_count", results.solve.n_dofs, "1", "unknowns");
-      summary.add("equilibrium_residual",
-                  results.solve.residual,
-                  "1",
-                  "forces out of balance over tractions and reactions");
-      summary.add("solver_iterations",
-                  results.solve.n_iterations,
-                  "1",
-                  "of conjugate gradients, in all steps of the multipliers");
-      summary.add("multiplier_steps",
-                  results.solve.n_multiplier_steps,
-                  "1",
-                  "of the supports");
-      summary.add("condition_number",
-                  results.solve.condition_number,
-                  "1",
-                  "of the preconditioned stiffness, by Lanczos");
-      summary.add("support_gap",
-                  results.solve.support_gap,
-                  "1",
-                  "largest displacement of a held facet over the largest one");
-      summary.add(
-          "wall_time_loop",
-          results.cloud_time + results.operator_time +
-              results.solve.setup_time + results.solve.solution_time +
-              results.tip_time,
+      const auto add = [&](const char  *name,
+                           const double value,
+                           const char  *unit,
+                           const char  *meaning) {
+        summary.add(name, value, unit, meaning);
+      };
+      const SPH::StaticReport &solve = results.solve;
+      add("strain_energy",
+          results.strain_energy,
+          "J/m",
+          "residual control included, per metre of depth");
+      add("hourglass_energy",
+          results.hourglass_energy,
+          "J/m",
+          "part of the strain energy in the residual control");
+      add("external_work",
+          results.external_work,
+          "J/m",
+          "load times displacement, twice the strain energy, per metre of "
+          "depth");
+      add("particle_count", results.n_particles, "1", "particles");
+      add("neighbours_per_particle",
+          results.n_neighbours,
+          "1",
+          "mean number in the discrete gradient");
+      add("dof_count", solve.n_dofs, "1", "unknowns");
+      add("equilibrium_residual",
+          solve.residual,
+          "1",
+          "forces out of balance over tractions and reactions");
+      add("support_gap",
+          solve.support_gap,
+          "1",
+          "largest error of a facet's prescribed mean displacement over the "
+          "largest displacement");
+      add("solver_iterations",
+          solve.n_iterations,
+          "1",
+          "of conjugate gradients, in all steps of the multipliers");
+      add("multiplier_steps", solve.n_multiplier_steps, "1", "of the supports");
+      add("condition_number",
+          solve.condition_number,
+          "1",
+          "of the preconditioned stiffness, by Lanczos");
+      add("wall_time_loop",
+          results.cloud_time + results.operator_time + solve.setup_time +
+              solve.solution_time + results.tip_time,
           "s",
           "cloud, gradient, preconditioner, solution and stress intensity");
       summary.add_part("cloud", results.cloud_time);
       summary.add_part("gradient", results.operator_time);
-      summary.add_part("preconditioner", results.solve.setup_time);
-      summary.add_part("solution", results.solve.solution_time);
+      summary.add_part("preconditioner", solve.setup_time);
+      summary.add_part("solution", solve.solution_time);
       summary.add_part("stress intensity", results.tip_time);
     }
 
 
     void
-    write_rings(const std::string                 &file_name,
-                const std::vector<SPH::TipResult> &tips)
+    tell(RunLog                     &log,
+         const SPH::PlateParameters &plate,
+         const SPH::PlateResults    &results,
+         const double                seconds)
     {
-      std::ostringstream out;
-      out.precision(12);
-      out << "tip,inner_radius_m,outer_radius_m,K_I_Pa_sqrt_m,K_II_Pa_sqrt_m,"
-             "J_J_per_m2\n";
-      for (const SPH::TipResult &tip : tips)
-        for (unsigned int i = 0; i < tip.rings.size(); ++i)
-          out << tip.tip << ',' << tip.rings[i].inner_radius << ','
-              << tip.rings[i].outer_radius << ',' << tip.by_ring[i].mode_I
-              << ',' << tip.by_ring[i].mode_II << ',' << tip.energy_release[i]
-              << '\n';
-      Output::write_atomically(file_name, out.str());
+      log << results.n_particles << " particles, " << results.solve.n_iterations
+          << " iterations, residual " << results.solve.residual << ", "
+          << seconds << " s\n";
+      for (const Fracture::TipResult &tip : results.tips)
+        {
+          std::ostringstream text;
+          text.precision(8);
+          text << "Tip " << tip.tip << ": K_I = " << tip.statistics.mean.mode_I
+               << ", K_II = " << tip.statistics.mean.mode_II
+               << " Pa sqrt(m), spread " << tip.statistics.spread.mode_I
+               << '\n';
+          log << text.str();
+          if (!tip.remark.empty())
+            log.warning(tip.remark);
+        }
+      if (results.tips.empty())
+        log << "No crack tip in '" << plate.name
+            << "': no stress intensity factors.\n";
+    }
+
+
+    void
+    write_fields(const std::string                  &folder,
+                 const SPH::PlateParameters         &plate,
+                 const std::vector<Fracture::Crack> &cracks,
+                 const SPH::PlateProblem            &problem,
+                 const SPH::PlateResults            &results)
+    {
+      const std::string solution = folder + "/solution/";
+      Output::create_folder(solution);
+      const auto write = [&](const std::string &name, const std::string &text) {
+        Output::write_atomically(name, text);
+      };
+      const auto sample = [&](const std::vector<Point<2>> &points) {
+        return problem.sample(points);
+      };
+      const auto &tips = problem.get_tips();
+      write(solution + "particles.vtu", SPH::particles_vtu(problem));
+      write(solution + "plate.vtu", SPH::cells_vtu(problem));
+      write(solution + "rings.vtu", Fracture::rings_vtu(tips, results.tips));
+      write(solution + "cracks.vtu", Fracture::cracks_vtu(plate, cracks));
+      write(folder + "/stress_intensity.csv",
+            Fracture::stress_intensity_csv(tips, results.tips));
+      write(folder + "/crack_opening.csv",
+            Fracture::crack_opening_csv(plate, cracks, results.tips, sample));
+      write(folder + "/tip_stress.csv",
+            Fracture::tip_stress_csv(plate, tips, results.tips, sample));
     }
   } // namespace
 
 
-  void
-  run_particle_plate(const CommandLine          &command_line,
-                     const SPH::PlateParameters &plate,
-                     const std::string          &used)
+  std::string
+  describe_particle_plate(const SPH::PlateParameters &plate)
   {
-    Timer whole;
-    if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-      throw InputError(
-          "'Method = SPH' runs a cracked plate on one rank only, "
-          "but " +
-          std::to_string(Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) +
-          " are given: leave mpirun out.");
-    check(plate);
-    const auto cracks = make_cracks(plate);
-    if (command_line.run.validate_only)
-      {
-        std::cout << "Scene '" << plate.name << "' is sound: about "
-                  << plate.particles_x * plate.particles_y << " particles, "
-                  << cracks.size() << " crack(s), "
-                  << Fracture::collect_tips(cracks).size() << " tip(s).\n";
-        return;
-      }
+    const auto         cracks = Fracture::make_cracks(plate);
+    const double       n      = 1. * plate.particles_x * plate.particles_y;
+    std::ostringstream out;
+    out << "Scene '" << plate.name << "' is sound: about " << n
+        << " particles, " << cracks.size() << " crack(s), "
+        << Fracture::collect_tips(cracks).size() << " tip(s).\nEffects:\n";
+    for (const Output::Effect &effect : effects_of(plate, cracks))
+      out << "  " << (effect.on ? "on   " : "off  ") << effect.name << " ("
+          << effect.reason << ")\n";
+    // Measured on 10,000 particles: time and memory grow in proportion.
+    out << "Predicted: " << 3.5e-4 * n << " s on one core, " << 0.15 + 8e-6 * n
+        << " GB.\n";
+    return out.str();
+  }
 
+
+  void
+  run_particle_plate(const SPH::PlateParameters &plate,
+                     const RunOptions           &options,
+                     const std::string          &used_parameters)
+  {
+    Timer              whole;
+    const std::string &folder = options.output_directory;
+    RunLog             log(folder + "/run.log", options.quiet, true);
+    log << (plate.title.empty() ? plate.name : plate.title) << '\n';
+    Output::write_atomically(folder + "/used.prm", used_parameters);
+
+    const auto               cracks = Fracture::make_cracks(plate);
     SPH::PlateProblem        problem(plate, cracks);
     const SPH::PlateResults &results = problem.run();
     Output::Summary          summary;
     add_tips(summary, plate, cracks, results.tips);
+    Timer energy;
     if (plate.energy_growth > 0.)
-      summary.add("stress_intensity_energy",
-                  SPH::energy_route(plate, results.strain_energy),
-                  "Pa sqrt(m)",
-                  "sqrt(E' G) from the energy difference T3-47 (all tips "
-                  "together; one-sided, biased low by some (da/a)^2)");
+      add_energy_route(
+          summary, plate, SPH::energy_route(plate, results.strain_energy));
+    const double energy_time = energy.wall_time();
     add_costs(summary, results);
+    if (plate.energy_growth > 0.)
+      summary.add_part("energy difference", energy_time);
+    tell(log, plate, results, whole.wall_time());
 
-    std::string folder = command_line.run.output_directory;
-    if (folder.empty())
-      folder = "output/" + plate.name;
-    prepare_output_directory(folder);
-    RunLog log(folder + "/run.log", command_line.run.quiet, true);
-    log << (plate.title.empty() ? plate.name : plate.title) << '\n'
-        << results.n_particles << " particles, " << whole.wall_time() << " s\n";
-    for (const SPH::TipResult &tip : results.tips)
-      {
-        std::ostringstream text;
-        text.precision(8);
-        text << "Tip " << tip.tip << ": K_I = " << tip.statistics.mean.mode_I
-             << ", K_II = " << tip.statistics.mean.mode_II
-             << " Pa sqrt(m), spread " << tip.statistics.spread.mode_I << '\n';
-        log << text.str();
-        if (!tip.remark.empty())
-          log.warning(tip.remark);
-      }
-
-    write_rings(folder + "/stress_intensity.csv", results.tips);
-    Output::write_atomically(folder + "/used.prm", used);
-    summary.add_text("title", plate.title);
+    Timer output;
+    write_fields(folder, plate, cracks, problem, results);
+    summary.add_part("output", output.wall_time());
+    for (const Output::Effect &effect : effects_of(plate, cracks))
+      summary.add_effect(effect);
+    summary.add("wall_time", whole.wall_time(), "s", "whole run");
+    add_provenance(summary, plate, used_parameters);
     summary.add_text("solver",
                      "conjugate gradients, preconditioned by a Cholesky "
                      "factorisation over Voronoi neighbours");
-    summary.add_text("deal_ii_version", DEAL_II_PACKAGE_VERSION);
-    summary.add_text("parameters_hash", text_hash(used));
-    summary.add("wall_time", whole.wall_time(), "s", "whole run");
-    Utilities::System::MemoryStats memory;
-    Utilities::System::get_memory_stats(memory);
-    summary.add("peak_memory", 1024. * memory.VmHWM, "B", "resident");
     summary.write(folder + "/summary.json");
   }
 } // namespace Morsel

@@ -21,9 +21,15 @@ namespace Morsel
   fracture_parameters(const CommandLine &command_line);
 
 
-  /// Reads, checks and runs such a scene; collective over all ranks.
-  /// Leaves summary.json, used.prm, run.log, stress_intensity.csv (K per
-  /// ring) and solution/*.vtu in the folder of results.
+  /// The same with the default values, without any scene.
+  std::string
+  default_fracture_parameters(const std::string &format);
+
+
+  /// Reads, checks and runs such a scene, or says what a run would do;
+  /// collective over all ranks. Leaves summary.json, used.prm, run.log,
+  /// stress_intensity.csv (K per ring), crack_opening.csv, tip_stress.csv and
+  /// solution/*.{pvd,vtu} in the folder of results.
   /// @throws InputError, NumericalError, FileError
   void
   run_fracture_scene(const CommandLine &command_line);

@@ -6,38 +6,8 @@ import os
 
 import matplotlib.pyplot as plt
 
-from . import curves, food, style
-from .tables import effects_table, provenance, results_table, warnings_of
-
-FIGURES = [
-    ("moments", food.moments,
-     "The food at several moments, between the plates (dark). Top, damage: "
-     "from intact to failed. Below, the von Mises stress: where the food is "
-     "about to give way.", True),
-    ("fragments", food.fragments,
-     "The pieces that are left, each in its own colour and numbered by size; "
-     "light grey is what has failed altogether, darker grey are crumbs too "
-     "small to count.", True),
-    ("force", curves.force_over_time, "Force on the plates over time.", False),
-    ("stress_strain", curves.stress_over_strain,
-     "Nominal stress (mean force over the loaded area) against nominal "
-     "strain.", False),
-    ("fragment_sizes", curves.fragment_sizes,
-     "How large the pieces are: bars for each, line for their sum.", False),
-    ("failed_share", curves.failed_share,
-     "How much of the food has failed altogether.", False),
-    ("energy", curves.energy_ledger,
-     "Where the work of the plates goes: blue and green is stored, warm "
-     "colours are spent. What separates the stack from the black line is the "
-     "closing error, shown below.", True),
-]
-
-SECTIONS = [
-    ("The food between the plates", ["moments"]),
-    ("The pieces", ["fragments", "fragment_sizes", "failed_share"]),
-    ("Force and stress", ["force", "stress_strain"]),
-    ("The energy ledger", ["energy"]),
-]
+from . import food_story, plate_story, style
+from .tables import effects_table, provenance, results_table
 
 STYLE = """
 :root{--ink:#222;--quiet:#667;--rule:#dcdcdc;--accent:#0072B2}
@@ -84,12 +54,22 @@ pre{font:12.5px/1.45 "DejaVu Sans Mono",Consolas,monospace;overflow:auto;
 """
 
 
-def draw(run):
+def story_of(run):
+    """The module that knows this kind of run.
+
+    It has KICKER; FIGURES, (name, function of the run, caption, whether it
+    is wide); SECTIONS, (title, names of figures); CARDS, (result, label); and
+    the functions outcome(run), warnings_of(run) and tables(run).
+    """
+    return plate_story if run.is_plate() else food_story
+
+
+def draw(run, story):
     """Draws what can be drawn; {name: png}, and notes on what failed."""
     pictures = {}
     folder = run.folder / "figures"
     folder.mkdir(exist_ok=True)
-    for name, make, _, _ in FIGURES:
+    for name, make, _, _ in story.FIGURES:
         file = folder / (name + ".png")
         # A figure of a former run must not pass for one of this run.
         file.unlink(missing_ok=True)
@@ -110,83 +90,33 @@ def draw(run):
     return pictures
 
 
-def image(name, pictures):
+def image(story, name, pictures):
     """A figure with its caption, the picture embedded."""
-    caption = next(c for n, _, c, _ in FIGURES if n == name)
+    caption = next(c for n, _, c, _ in story.FIGURES if n == name)
     data = base64.b64encode(pictures[name]).decode("ascii")
     return (f'<figure><img src="data:image/png;base64,{data}" '
             f'alt="{html.escape(caption, quote=True)}">'
             f"<figcaption>{html.escape(caption)}</figcaption></figure>")
 
 
-def section(title, names, pictures):
+def section(story, title, names, pictures):
     """A section with its figures: wide ones alone, narrow ones in pairs."""
     present = [n for n in names if n in pictures]
     if not present:
         return ""
-    wide = {n for n, _, _, w in FIGURES if w}
+    wide = {n for n, _, _, w in story.FIGURES if w}
     parts = [f"<h2>{html.escape(title)}</h2>"]
-    parts += [image(n, pictures) for n in present if n in wide]
-    narrow = [image(n, pictures) for n in present if n not in wide]
+    parts += [image(story, n, pictures) for n in present if n in wide]
+    narrow = [image(story, n, pictures) for n in present if n not in wide]
     if narrow:
         parts.append('<div class="pair">' + "".join(narrow) + "</div>")
     return "\n".join(parts)
 
 
-def outcome(run):
-    """What happened, in a sentence or two of plain language."""
-    given = run.text("outcome")
-    sentences = [given] if given else []
-    strain = run.column("nominal_strain")
-    peak, reached = run.peak_time(), run.value("complete_failure")
-    if not given and peak is not None:
-        verb = ("broke completely" if reached else
-                "was loaded" if reached is None else
-                "did not fail completely")
-        force = run.value("peak_occlusal_force", float(max(run.mean_force())))
-        sentence = (f"The food {verb}: the force rose to "
-                    f"{style.quantity(force, 'N', 3)}")
-        at_peak = run.at("nominal_strain", peak)
-        if at_peak is not None:
-            sentence += f" at {style.percent(at_peak)} compression"
-        if strain is not None and len(strain):
-            sentence += (", and the plates stopped at "
-                         f"{style.percent(float(strain[-1]))}")
-        sentences.append(sentence + ".")
-    count, largest = (run.value("fragment_count"),
-                      run.value("largest_fragment_share"))
-    if not given and count is not None:
-        if count == 1:
-            text = "One piece is left"
-        else:
-            text = f"It is in {int(count)} pieces" if count else (
-                "No piece large enough to count is left")
-        if largest and count > 1:
-            text += f", the largest with {style.percent(largest)} of the mass"
-        failed = run.value("failed_share")
-        if failed:
-            text += (f"; {style.percent(failed)} of the mass has crumbled to "
-                     "dust")
-        sentences.append(text + ".")
-    return " ".join(sentences)
-
-
-CARDS = [
-    ("peak_occlusal_force", "peak occlusal force"),
-    ("compressive_strength", "compressive strength"),
-    ("masticatory_performance", "masticatory performance, largest piece"),
-    ("masticatory_performance_all_fragments",
-     "masticatory performance, all pieces"),
-    ("fragment_count", "pieces of at least 0.5 % of the mass"),
-    ("stress_intensity_I", "stress intensity, mode I"),
-    ("stress_intensity_II", "stress intensity, mode II"),
-]
-
-
-def cards(run):
+def cards(run, story):
     """The few numbers that most readers come for."""
     parts = []
-    for name, label in CARDS:
+    for name, label in story.CARDS:
         entry = run.results().get(name)
         if entry is None:
             continue
@@ -201,19 +131,21 @@ def cards(run):
     return '<div class="cards">' + "".join(parts) + "</div>" if parts else ""
 
 
-def compose(run, pictures):
+def compose(run, story, pictures):
     """The whole page as text."""
     title = (run.text("title") or run.text("scene")
              or run.folder.resolve().name)
-    lead = outcome(run)
-    body = ['<p class="kicker">MORSEL · how food breaks between teeth</p>',
+    lead = story.outcome(run)
+    body = [f'<p class="kicker">{html.escape(story.KICKER)}</p>',
             f"<h1>{html.escape(title)}</h1>"]
     if lead:
         body.append(f'<p class="lead">{html.escape(lead)}</p>')
-    body.append(cards(run))
+    body.append(cards(run, story))
     body += [f'<p class="note">{html.escape(note)}</p>'
-             for note in run.notes + warnings_of(run)]
-    body += [section(t, names, pictures) for t, names in SECTIONS]
+             for note in run.notes + story.warnings_of(run)]
+    body += story.tables(run)
+    body += [section(story, t, names, pictures)
+             for t, names in story.SECTIONS]
     body += [results_table(run), effects_table(run), provenance(run)]
     return ('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
             '<meta name="viewport" content="width=device-width">'
@@ -225,7 +157,8 @@ def compose(run, pictures):
 
 def write(run):
     """Draws, composes and writes report.html; returns its path."""
-    text = compose(run, draw(run))
+    story = story_of(run)
+    text = compose(run, story, draw(run, story))
     report = run.folder / "report.html"
     temporary = report.with_suffix(".html.tmp")
     temporary.write_text(text, encoding="utf-8")

@@ -8,6 +8,8 @@ import xml.etree.ElementTree as ElementTree
 import h5py
 import numpy as np
 
+from .vtu import read_pieces
+
 
 class NoRun(Exception):
     """The folder holds nothing that a run would have left."""
@@ -86,6 +88,28 @@ def read_table(file):
     return dict(zip(names, columns)), units
 
 
+class Tip:
+    """One crack tip: where it is, and K over its rings."""
+
+    def __init__(self, number, rings):
+        self.number = number
+        self.crack = int(rings["crack"][0])
+        self.place = np.array([rings["x"][0], rings["y"][0]])
+        self.direction = np.array([rings["direction_x"][0],
+                                   rings["direction_y"][0]])
+        self.inner = rings["inner_radius"]
+        self.outer = rings["outer_radius"]
+        self.mode_I = rings["stress_intensity_I"]
+        self.mode_II = rings["stress_intensity_II"]
+
+    def suffix(self, tips):
+        """How summary.json tells this tip from the others."""
+        among = [t.number for t in tips if t.crack == self.crack]
+        k = among.index(self.number)
+        text = f"_crack{self.crack}" if self.crack else ""
+        return text + (f"_tip{k}" if self.crack or k else "")
+
+
 class Run:
     """Everything that one run left in its folder."""
 
@@ -98,6 +122,7 @@ class Run:
         self.history, self.units = read_table(self.folder / "history.csv")
         self.fragments, _ = read_table(self.folder / "fragments.csv")
         self.parameters = self._read_text("used.prm")
+        self.log = self._read_text("run.log")
         self.bodies, self.plates = {}, []
         for xdmf in sorted((self.folder / "solution").glob("*.xdmf")):
             frames, particles = read_series(xdmf)
@@ -105,6 +130,7 @@ class Run:
                 self.bodies[xdmf.stem] = frames
             elif frames:
                 self.plates = frames
+        self._read_plate()
         if not self.summary and not self.history:
             raise NoRun(
                 f"The folder '{folder}' holds neither summary.json nor "
@@ -135,6 +161,9 @@ class Run:
                 "summary.json is missing: the run did not come to its end, or "
                 "has not yet."
             )
+        if self.is_plate():
+            self._note_what_a_plate_misses()
+            return
         if not self.history:
             self.notes.append(
                 "history.csv is missing: there are no curves over time."
@@ -144,6 +173,38 @@ class Run:
                 "solution/ holds no particle fields: there are no pictures of "
                 "the food."
             )
+
+    def _note_what_a_plate_misses(self):
+        if self.plate is None:
+            self.notes.append(
+                "solution/ holds no plate that can be read: there are no "
+                "pictures of it."
+            )
+        if not self.tips and any(n.startswith("stress_intensity")
+                                 for n in self.results()):
+            self.notes.append(
+                "stress_intensity.csv is missing: there are no rings."
+            )
+
+    def is_plate(self):
+        """Whether this was a cracked plate rather than food."""
+        return (self.text("kind") == "cracked plate"
+                or any(n.startswith("stress_intensity_")
+                       for n in self.results()))
+
+    def _read_plate(self):
+        solution = self.folder / "solution"
+        self.plate = read_pieces(solution, "plate")
+        self.nodes = read_pieces(solution, "enriched_nodes")
+        self.cracks = read_pieces(solution, "cracks")
+        rings, _ = read_table(self.folder / "stress_intensity.csv")
+        self.tips = []
+        for number in np.unique(rings.get("tip", [])):
+            here = {name: values[rings["tip"] == number]
+                    for name, values in rings.items()}
+            self.tips.append(Tip(int(number), here))
+        self.opening, _ = read_table(self.folder / "crack_opening.csv")
+        self.tip_stress, _ = read_table(self.folder / "tip_stress.csv")
 
     def results(self):
         """The scalar results, {name: entry with "value" and "unit"}."""
@@ -163,6 +224,12 @@ class Run:
         """A text of the summary, or the default."""
         texts = self.summary.get("text", {})
         return texts.get(name, default) if isinstance(texts, dict) else default
+
+    def parameter(self, key, default):
+        """The value of an entry of used.prm whose key is unique there."""
+        match = re.search(rf"^\s*set\s+{re.escape(key)}\s*=\s*(.*?)\s*$",
+                          self.parameters, re.MULTILINE)
+        return match.group(1) if match else default
 
     def column(self, name):
         """A column of the history, or None."""

@@ -132,8 +132,9 @@ def provenance(run):
                  f"</summary><pre>{html.escape(run.parameters)}</pre>"
                  "</details>")
     files = [name for name in ("summary.json", "history.csv", "used.prm",
-                               "fragments.csv", "run.log", "solution",
-                               "figures")
+                               "fragments.csv", "stress_intensity.csv",
+                               "crack_opening.csv", "tip_stress.csv",
+                               "run.log", "solution", "figures")
              if (run.folder / name).exists()]
     text += ("<p>Beside this page: " + ", ".join(files)
              + ". ParaView opens what ends in .xdmf or .pvd in solution.</p>")

@@ -189,6 +189,13 @@ namespace Morsel::FE
   {
     AffineConstraints<double> constraints(space.get_relevant_dofs());
     constraints.merge(space.get_constraints());
+    // A side that is moved is held, too: its own values come first.
+    for (const auto &[dof, value] : prescribed)
+      if (!constraints.is_constrained(dof))
+        {
+          constraints.add_line(dof);
+          constraints.set_inhomogeneity(dof, value);
+        }
     std::vector<types::global_dof_index> dofs;
     std::vector<double>                  nearest(pins.size(),
                                 std::numeric_limits<double>::max());
@@ -227,12 +234,6 @@ namespace Morsel::FE
         if (nearest[p] <= best && !constraints.is_constrained(pinned[p]))
           constraints.add_line(pinned[p]);
       }
-    for (const auto &[dof, value] : prescribed)
-      if (!constraints.is_constrained(dof))
-        {
-          constraints.add_line(dof);
-          constraints.set_inhomogeneity(dof, value);
-        }
     if (Utilities::MPI::n_mpi_processes(
             handler.get_triangulation().get_communicator()) > 1)
       constraints.make_consistent_in_parallel(

@@ -1,10 +1,10 @@
+#include <morsel/core/vtu.h>
 #include <morsel/fe/cell_functions.h>
 #include <morsel/fe/open_crack_output.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 
 namespace Morsel::FE
 {
@@ -12,59 +12,6 @@ namespace Morsel::FE
 
   namespace
   {
-    /// Columns of a vtu file, filled cell by cell.
-    struct Columns
-    {
-      std::ostringstream points, displacement, stress, von_mises, ring;
-      std::ostringstream connectivity, offsets, types, enrichment, degree;
-      unsigned int       n_points = 0, n_cells = 0;
-
-      Columns()
-      {
-        for (auto *s : {&points, &displacement, &stress, &von_mises, &ring})
-          s->precision(8);
-      }
-    };
-
-
-    void
-    write_array(std::ostream      &out,
-                const char        *type,
-                const char        *name,
-                const unsigned int components,
-                const std::string &data)
-    {
-      out << "<DataArray type=\"" << type << "\" Name=\"" << name
-          << "\" NumberOfComponents=\"" << components
-          << "\" format=\"ascii\">\n"
-          << data << "</DataArray>\n";
-    }
-
-
-    std::string
-    vtu_text(const Columns     &c,
-             const std::string &point_data,
-             const std::string &cell_data)
-    {
-      std::ostringstream out;
-      out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" "
-             "version=\"0.1\" byte_order=\"LittleEndian\">\n"
-             "<UnstructuredGrid>\n<Piece NumberOfPoints=\""
-          << c.n_points << "\" NumberOfCells=\"" << c.n_cells
-          << "\">\n<Points>\n";
-      write_array(out, "Float64", "points", 3, c.points.str());
-      out << "</Points>\n<Cells>\n";
-      write_array(out, "Int32", "connectivity", 1, c.connectivity.str());
-      write_array(out, "Int32", "offsets", 1, c.offsets.str());
-      write_array(out, "UInt8", "types", 1, c.types.str());
-      out << "</Cells>\n<PointData>\n"
-          << point_data << "</PointData>\n<CellData>\n"
-          << cell_data
-          << "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-      return out.str();
-    }
-
-
     /// Corners moved towards the centre by 1e-6, off the crack and the tip:
     /// the fields are taken there, on the piece's own side.
     std::vector<Point<2>>
@@ -93,6 +40,149 @@ namespace Morsel::FE
                                   r.rings.back().outer_radius);
       return smallest;
     }
+
+
+    double
+    von_mises(const SymmetricTensor<2, 2> &s, const double zz)
+    {
+      return std::sqrt(0.5 * (std::pow(s[0][0] - s[1][1], 2) +
+                              std::pow(s[1][1] - zz, 2) +
+                              std::pow(zz - s[0][0], 2)) +
+                       3. * s[0][1] * s[0][1]);
+    }
+
+
+    /// Parts per direction of one cell's picture: finer where the stress
+    /// grows like 1/sqrt(r), that is within a tip's rings.
+    unsigned int
+    divisions_of(const QuadMap                         &map,
+                 const unsigned int                     elsewhere,
+                 const std::vector<TipResult>          &results,
+                 const std::vector<Fracture::CrackTip> &tips)
+    {
+      constexpr double parts_per_ring = 20.;
+      double           divisions      = elsewhere;
+      for (const TipResult &r : results)
+        {
+          const double reach = r.rings.back().outer_radius;
+          const double distance =
+              distance_to_polygon(tips[r.tip].position, map.polygon());
+          if (distance < reach)
+            divisions = std::max(divisions,
+                                 std::ceil(map.diameter() / std::sqrt(2.) *
+                                           parts_per_ring / reach));
+        }
+      return std::min(divisions, 24.);
+    }
+
+
+    /// One rank's picture while it grows.
+    class OpenCrackGrid
+    {
+    public:
+      OpenCrackGrid(const Fracture::ElasticPlane          &material,
+                    const std::vector<TipResult>          &results,
+                    const std::vector<Fracture::CrackTip> &tips)
+          : material(material)
+          , results(results)
+          , tips(tips)
+      {
+        // No column may be missing from a rank without cells.
+        for (const auto &[name, n] : point_columns)
+          grid.point_field(name, n);
+        for (const char *name : {"cell", "enrichment", "degree"})
+          grid.cell_field(name, 1);
+      }
+
+      void
+      add_piece(const Polygon                                   &piece,
+                const std::vector<Fracture::DisplacementSample> &samples,
+                const unsigned int                               cell,
+                const unsigned int                               enrichment,
+                const unsigned int                               degree)
+      {
+        for (unsigned int i = 0; i < piece.size(); ++i)
+          {
+            const auto   s  = material.stress(samples[i].gradient);
+            const double zz = material.out_of_plane_stress(s);
+            grid.add_point(piece[i][0], piece[i][1]);
+            auto append = [&](const char *name, const auto &values) {
+              auto &field = grid.point_field(name, values.size());
+              field.insert(field.end(), values.begin(), values.end());
+            };
+            append("displacement",
+                   std::array<double, 3>{
+                       {samples[i].value[0], samples[i].value[1], 0.}});
+            append("stress_xx_yy_zz_xy",
+                   std::array<double, 4>{{s[0][0], s[1][1], zz, s[0][1]}});
+            append("von_mises_stress",
+                   std::array<double, 1>{{von_mises(s, zz)}});
+            append("distance_over_ring",
+                   std::array<double, 1>{
+                       {in_units_of_ring(piece[i], results, tips)}});
+          }
+        grid.add_cell(VtuGrid::Shape::polygon, piece.size());
+        grid.cell_field("cell", 1).push_back(cell);
+        grid.cell_field("enrichment", 1).push_back(enrichment);
+        grid.cell_field("degree", 1).push_back(degree);
+      }
+
+      std::string
+      text() const
+      {
+        return grid.text();
+      }
+
+    private:
+      static constexpr std::array<std::pair<const char *, unsigned int>, 4>
+          point_columns = {{{"displacement", 3},
+                            {"stress_xx_yy_zz_xy", 4},
+                            {"von_mises_stress", 1},
+                            {"distance_over_ring", 1}}};
+
+      const Fracture::ElasticPlane          &material;
+      const std::vector<TipResult>          &results;
+      const std::vector<Fracture::CrackTip> &tips;
+      VtuGrid                                grid;
+    };
+
+
+    /// 0 none, 1 jump, 2 tip functions, 3 both.
+    unsigned int
+    kind_of(const CellEnrichment &e)
+    {
+      const unsigned int mask = e.mask();
+      return ((mask & 15u) != 0 ? 1 : 0) +
+             (mask >> CellEnrichment::max_slots ? 2 : 0);
+    }
+
+
+    /// Marks the vertices of a cell on which an enrichment of one kind
+    /// (LocalNumbering::kind in a range) really lives: some of its functions
+    /// there are not dropped.
+    std::array<bool, 4>
+    active_vertices(const XFEMSpace                            &space,
+                    const DoFHandler<2>::active_cell_iterator  &cell,
+                    const std::vector<types::global_dof_index> &dofs,
+                    const unsigned int                          first_kind,
+                    const unsigned int                          last_kind)
+    {
+      const LocalNumbering &n = space.get_numbering(cell->active_fe_index());
+      const unsigned int    per_vertex  = cell->get_fe().n_dofs_per_vertex();
+      const auto           &constraints = space.get_constraints();
+      std::array<bool, 4>   active{};
+      for (const unsigned int v : cell->vertex_indices())
+        for (unsigned int i = v * per_vertex; i < (v + 1) * per_vertex; ++i)
+          {
+            if (n.kind[i] < first_kind || n.kind[i] > last_kind)
+              continue;
+            const auto *entries = constraints.get_constraint_entries(dofs[i]);
+            if (!constraints.is_constrained(dofs[i]) ||
+                (entries != nullptr && !entries->empty()))
+              active[v] = true;
+          }
+      return active;
+    }
   } // namespace
 
 
@@ -102,10 +192,9 @@ namespace Morsel::FE
                  const std::vector<TipResult>   &tips,
                  const unsigned int              divisions)
   {
-    const XFEMSpace                     &space    = problem.get_space();
-    const Fracture::ElasticPlane        &material = problem.get_material();
-    Columns                              c;
-    CellFunctions                        functions(space);
+    const XFEMSpace &space = problem.get_space();
+    OpenCrackGrid    grid(problem.get_material(), tips, space.get_tips());
+    CellFunctions    functions(space);
     std::vector<types::global_dof_index> dofs;
     std::vector<double>                  local;
     for (const auto &cell : space.get_dof_handler().active_cell_iterators())
@@ -122,7 +211,10 @@ namespace Morsel::FE
           local.push_back(solution(d));
         const Eigen::MatrixX2d coefficients =
             functions.coefficients(cell, local);
-        const unsigned int k = divisions;
+        const unsigned int degree =
+            space.get_numbering(cell->active_fe_index()).degree;
+        const unsigned int k =
+            divisions_of(map, divisions, tips, space.get_tips());
         for (unsigned int part = 0; part < k * k; ++part)
           {
             const double x = (part % k) / double(k), y = (part / k) / double(k);
@@ -140,48 +232,16 @@ namespace Morsel::FE
                 std::vector<Point<2>> reference;
                 for (const Point<2> &p : corners)
                   reference.push_back(map.to_reference(p));
-                const auto samples = functions.sample(
-                    cell, map, coefficients, corners, reference);
-                for (unsigned int i = 0; i < piece.size(); ++i)
-                  {
-                    const auto   s  = material.stress(samples[i].gradient);
-                    const double zz = material.out_of_plane_stress(s);
-                    const double von_mises =
-                        std::sqrt(0.5 * (std::pow(s[0][0] - s[1][1], 2) +
-                                         std::pow(s[1][1] - zz, 2) +
-                                         std::pow(zz - s[0][0], 2)) +
-                                  3. * s[0][1] * s[0][1]);
-                    c.points << piece[i] << " 0\n";
-                    c.displacement << samples[i].value << " 0\n";
-                    c.stress << s[0][0] << ' ' << s[1][1] << ' ' << zz << ' '
-                             << s[0][1] << '\n';
-                    c.von_mises << von_mises << '\n';
-                    c.ring << in_units_of_ring(piece[i], tips, space.get_tips())
-                           << '\n';
-                    c.connectivity << c.n_points++ << ' ';
-                  }
-                c.connectivity << '\n';
-                c.offsets << c.n_points << '\n';
-                c.types << "7\n";
-                const unsigned int mask = e.mask();
-                c.enrichment << ((mask & 15u) != 0 ? 1 : 0) +
-                                    (mask >> CellEnrichment::max_slots ? 2 : 0)
-                             << '\n';
-                c.degree << space.get_numbering(cell->active_fe_index()).degree
-                         << '\n';
-                ++c.n_cells;
+                grid.add_piece(piece,
+                               functions.sample(
+                                   cell, map, coefficients, corners, reference),
+                               cell->active_cell_index(),
+                               kind_of(e),
+                               degree);
               }
           }
       }
-    std::ostringstream point_data, cell_data;
-    write_array(point_data, "Float64", "displacement", 3, c.displacement.str());
-    write_array(point_data, "Float64", "stress_xx_yy_zz_xy", 4, c.stress.str());
-    write_array(
-        point_data, "Float64", "von_mises_stress", 1, c.von_mises.str());
-    write_array(point_data, "Float64", "distance_over_ring", 1, c.ring.str());
-    write_array(cell_data, "Int32", "enrichment", 1, c.enrichment.str());
-    write_array(cell_data, "Int32", "degree", 1, c.degree.str());
-    return vtu_text(c, point_data.str(), cell_data.str());
+    return grid.text();
   }
 
 
@@ -192,9 +252,11 @@ namespace Morsel::FE
     {
       Point<2> position;
       double   ramp = 0.;
-      int      jump = 0;
+      bool     jump = false, tip = false;
     };
-    std::map<unsigned int, Node> nodes;
+    constexpr unsigned int               max_slots = CellEnrichment::max_slots;
+    std::map<unsigned int, Node>         nodes;
+    std::vector<types::global_dof_index> dofs;
     for (const auto &cell : space.get_dof_handler().active_cell_iterators())
       {
         if (!cell->is_locally_owned())
@@ -203,34 +265,38 @@ namespace Morsel::FE
             space.get_enrichment(cell->active_cell_index());
         if (!e.enriched())
           continue;
+        dofs.resize(cell->get_fe().n_dofs_per_cell());
+        cell->get_dof_indices(dofs);
+        const auto jump = active_vertices(space, cell, dofs, 1, max_slots);
+        const auto tip =
+            active_vertices(space, cell, dofs, max_slots + 1, 2 * max_slots);
         for (const unsigned int v : cell->vertex_indices())
           {
             Node &node    = nodes[cell->vertex_index(v)];
             node.position = cell->vertex(v);
-            for (unsigned int s = 0; s < CellEnrichment::max_slots; ++s)
-              {
-                if (e.tip[s] != CellEnrichment::none)
+            node.jump     = node.jump || jump[v];
+            for (unsigned int s = 0; s < max_slots; ++s)
+              if (e.tip[s] != CellEnrichment::none && tip[v])
+                {
                   node.ramp = std::max(node.ramp, e.ramp[s][v]);
-                if (e.jump_crack[s] != CellEnrichment::none)
-                  node.jump = 1;
-              }
+                  node.tip  = true;
+                }
           }
       }
-    Columns            c;
-    std::ostringstream ramp, jump;
+    VtuGrid grid;
+    auto    append = [&](const char *name, const double value) {
+      grid.point_field(name, 1).push_back(value);
+    };
+    for (const char *name : {"kind", "ramp"})
+      grid.point_field(name, 1);
     for (const auto &[index, node] : nodes)
-      {
-        c.points << node.position << " 0\n";
-        c.connectivity << c.n_points++ << '\n';
-        c.offsets << c.n_points << '\n';
-        c.types << "1\n";
-        ++c.n_cells;
-        ramp << node.ramp << '\n';
-        jump << node.jump << '\n';
-      }
-    std::ostringstream point_data;
-    write_array(point_data, "Float64", "ramp", 1, ramp.str());
-    write_array(point_data, "Int32", "jump", 1, jump.str());
-    return vtu_text(c, point_data.str(), "");
+      if (node.jump || node.tip)
+        {
+          grid.add_point(node.position[0], node.position[1]);
+          grid.add_cell(VtuGrid::Shape::vertex, 1);
+          append("kind", (node.jump ? 1 : 0) + (node.tip ? 2 : 0));
+          append("ramp", node.ramp);
+        }
+    return grid.text();
   }
 } // namespace Morsel::FE

@@ -16,6 +16,17 @@ namespace Morsel::FE
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Whether a support prescribes both components of the displacement.
+    bool
+    holds_both(const std::string &support)
+    {
+      return support == "clamp" || support == "displacement";
+    }
+  } // namespace
+
+
   PlateProblem::PlateProblem(const PlateParameters              &parameters,
                              const std::vector<Fracture::Crack> &cracks,
                              Triangulation<2>                   &triangulation)
@@ -60,8 +71,8 @@ namespace Morsel::FE
     // A corner between a clamped side and one that is not is singular.
     for (unsigned int x = 0; x < 2; ++x)
       for (unsigned int y = 0; y < 2; ++y)
-        if ((parameters.support[x] == "clamp") !=
-            (parameters.support[2 + y] == "clamp"))
+        if (holds_both(parameters.support[x]) !=
+            holds_both(parameters.support[2 + y]))
           refine_towards(
               triangulation,
               Point<2>(x == 0 ? low[0] : high[0], y == 0 ? low[1] : high[1]),
@@ -83,17 +94,25 @@ namespace Morsel::FE
             problem->hold(side, normal);
             held[normal] = no_turns = true;
           }
-        if (parameters.support[side] == "clamp")
+        if (holds_both(parameters.support[side]))
           {
             problem->hold(side, 1 - normal);
             held[1 - normal] = true;
           }
-        const Point<2> traction =
-            Fracture::read_pair(parameters.traction[side], "Boundary/traction");
+        if (parameters.support[side] == "displacement")
+          {
+            const Tensor<1, 2> displacement =
+                Fracture::displacement_of(parameters, side);
+            problem->prescribe(
+                {side}, [displacement](const Point<2> &, const Tensor<1, 2> &) {
+                  return displacement;
+                });
+          }
+        const Tensor<1, 2> traction = Fracture::traction_on(parameters, side);
         if (traction.norm() > 0.)
           problem->apply_traction(
               side, [traction](const Point<2> &, const Tensor<1, 2> &) {
-                return Tensor<1, 2>({traction[0], traction[1]});
+                return traction;
               });
       }
     const Point<2> &low  = parameters.lower_corner;
@@ -107,13 +126,20 @@ namespace Morsel::FE
 
 
   void
-  PlateProblem::solve_once()
+  PlateProblem::set_up()
   {
-    Timer timer;
     space->distribute(std::vector<unsigned int>(triangulation.n_active_cells(),
                                                 parameters.degree));
     problem = std::make_unique<ElasticProblem>(*space, material);
     apply_boundary_conditions();
+  }
+
+
+  void
+  PlateProblem::solve_once()
+  {
+    Timer timer;
+    set_up();
     results.space_time += timer.wall_time();
     solution = problem->solve(parameters.solver == "umfpack"
                                   ? SolverKind::umfpack
@@ -142,17 +168,24 @@ namespace Morsel::FE
         triangulation.execute_coarsening_and_refinement();
         solve_once();
       }
-    results.n_cells       = triangulation.n_global_active_cells();
-    results.solve         = problem->get_report();
-    results.external_work = problem->traction_work(solution);
-    // Nothing but zero displacements is prescribed: U = work/2.
-    results.strain_energy = 0.5 * results.external_work;
+    results.n_cells = triangulation.n_global_active_cells();
+    results.solve   = problem->get_report();
+    // Clapeyron: the loads, at their full size, do twice the strain energy.
+    const bool by_tractions =
+        std::none_of(parameters.support.begin(),
+                     parameters.support.end(),
+                     [](const std::string &s) { return s == "displacement"; });
+    results.strain_energy = by_tractions
+                                ? 0.5 * problem->traction_work(solution)
+                                : problem->strain_energy(solution);
+    results.external_work = 2. * results.strain_energy;
     Timer timer;
     results.tips.clear();
     for (unsigned int t = 0; t < space->get_tips().size(); ++t)
       {
         results.tips.push_back(choose_rings(*space, t, parameters.ring_radius));
-        evaluate_rings(*problem, solution, results.tips.back());
+        evaluate_rings(
+            *problem, solution, results.tips.back(), parameters.two_directions);
       }
     results.tip_time = timer.wall_time();
     return results;
@@ -207,7 +240,7 @@ namespace Morsel::FE
                                           parameters.plane_stress);
     return Fracture::stress_intensity_of_energy(
         Fracture::energy_difference(
-            energies, da, Fracture::HeldQuantity::traction),
+            energies, da, Fracture::held_quantity(parameters)),
         material.effective_modulus);
   }
 } // namespace Morsel::FE

@@ -1,5 +1,5 @@
-#include <morsel/core/errors.h>
 #include <morsel/fe/cell_functions.h>
+#include <morsel/fe/point_values.h>
 #include <morsel/fe/stress_intensity.h>
 
 #include <algorithm>
@@ -61,6 +61,75 @@ namespace Morsel::FE
         all.reference.push_back(map.to_reference(p));
       return all;
     }
+
+
+    /// Edge length of the smallest cell about a point [m].
+    double
+    cell_size_at(const Triangulation<2> &triangulation, const Point<2> &p)
+    {
+      double size = std::numeric_limits<double>::max();
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned() &&
+            cell->center().distance(p) < cell->diameter())
+          size = std::min(size, cell->diameter() / std::sqrt(2.));
+      return Utilities::MPI::min(size, triangulation.get_communicator());
+    }
+
+
+    unsigned int
+    lowest_degree(const XFEMSpace &space)
+    {
+      unsigned int degree = std::numeric_limits<unsigned int>::max();
+      for (const auto &cell : space.get_dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          degree = std::min(
+              degree, space.get_numbering(cell->active_fe_index()).degree);
+      return Utilities::MPI::min(degree,
+                                 space.get_dof_handler().get_communicator());
+    }
+
+
+    /// Adds the faces' part of J_2 to the integrals, whose rings grow in
+    /// their order. The energies of the two faces differ like r^(-1/2):
+    /// Gauss points in the square root of the distance.
+    void
+    add_crack_faces(const ElasticProblem                       &problem,
+                    const ElasticProblem::Solution             &solution,
+                    const Fracture::CrackTip                   &tip,
+                    std::vector<Fracture::InteractionIntegral> &integrals)
+    {
+      constexpr unsigned int n_intervals = 16;
+      const double           reach = integrals.back().get_ring().outer_radius;
+      const GaussRule       &rule  = gauss_rule(6);
+      std::vector<double>    distances, weights;
+      for (unsigned int k = 0; k < n_intervals; ++k)
+        for (unsigned int q = 0; q < rule.points.size(); ++q)
+          {
+            const double t = (k + rule.points[q]) / n_intervals;
+            distances.push_back(reach * t * t);
+            weights.push_back(2. * reach * t * rule.weights[q] / n_intervals);
+          }
+      const Tensor<1, 2>    normal({-tip.direction[1], tip.direction[0]});
+      std::vector<Point<2>> points;
+      for (const double side : {1., -1.})
+        for (const double r : distances)
+          points.push_back(tip.position - r * tip.direction +
+                           side * 1e-6 * reach * normal);
+      const auto samples = sample_points(problem, solution, points);
+      // Every rank has all values: one of them adds.
+      if (Utilities::MPI::this_mpi_process(solution.get_mpi_communicator()) > 0)
+        return;
+      const auto energy = [&](const unsigned int i) {
+        const Tensor<2, 2> &H = samples[i].gradient;
+        return 0.5 * scalar_product(
+                         Tensor<2, 2>(problem.get_material().stress(H)), H);
+      };
+      for (unsigned int i = 0; i < distances.size(); ++i)
+        for (auto &integral : integrals)
+          integral.add_faces(distances[i],
+                             energy(i) - energy(distances.size() + i),
+                             weights[i]);
+    }
   } // namespace
 
 
@@ -80,6 +149,38 @@ namespace Morsel::FE
   }
 
 
+  BlendingLayer
+  find_blending_layer(const XFEMSpace &space, const unsigned int tip)
+  {
+    const DoFHandler<2> &handler  = space.get_dof_handler();
+    const Point<2>      &position = space.get_tips()[tip].position;
+    double               inner = std::numeric_limits<double>::max(), outer = 0.;
+    for (const auto &cell : handler.active_cell_iterators())
+      {
+        if (!cell->is_locally_owned())
+          continue;
+        const CellEnrichment &e =
+            space.get_enrichment(cell->active_cell_index());
+        for (unsigned int s = 0; s < CellEnrichment::max_slots; ++s)
+          if (e.tip[s] == static_cast<int>(tip) &&
+              std::any_of(e.ramp[s].begin(),
+                          e.ramp[s].end(),
+                          [](const double r) { return r < 1. - 1e-12; }))
+            {
+              inner = std::min(
+                  inner,
+                  distance_to_polygon(position, make_map(cell).polygon()));
+              for (const unsigned int v : cell->vertex_indices())
+                outer = std::max(outer, position.distance(cell->vertex(v)));
+            }
+      }
+    const MPI_Comm communicator = handler.get_communicator();
+    outer                       = Utilities::MPI::max(outer, communicator);
+    inner                       = Utilities::MPI::min(inner, communicator);
+    return {outer > 0. ? inner : 0., outer};
+  }
+
+
   TipResult
   choose_rings(const XFEMSpace   &space,
                const unsigned int tip,
@@ -87,45 +188,44 @@ namespace Morsel::FE
   {
     const Triangulation<2> &triangulation =
         space.get_dof_handler().get_triangulation();
-    const Fracture::CrackTip &t     = space.get_tips()[tip];
-    const double              limit = Fracture::largest_ring_radius(
-        t, space.get_cracks(), distance_to_boundary(triangulation, t.position));
+    const Fracture::CrackTip &t = space.get_tips()[tip];
+    const double to_boundary = distance_to_boundary(triangulation, t.position);
+    Fracture::check_ring_radius(t, space.get_cracks(), to_boundary, radius);
+    const double limit =
+        Fracture::largest_ring_radius(t, space.get_cracks(), to_boundary);
+    const double        cell_size = cell_size_at(triangulation, t.position);
+    const BlendingLayer blending  = find_blending_layer(space, tip);
 
-    double cell_size = std::numeric_limits<double>::max();
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned() &&
-          cell->center().distance(t.position) < cell->diameter())
-        cell_size = std::min(cell_size, cell->diameter() / std::sqrt(2.));
-    cell_size =
-        Utilities::MPI::min(cell_size, triangulation.get_communicator());
-
+    // Clear of what they must not touch; inside the blending layer if the
+    // rings are then still wide enough to pay.
+    double largest = radius > 0. ? radius : 0.95 * limit;
+    if (radius == 0. && blending.inner_radius >= 2. * cell_size)
+      largest = std::min(largest, blending.inner_radius);
     TipResult result;
-    result.tip           = tip;
-    const double largest = radius > 0. ? radius : 0.95 * limit;
-    if (largest > limit)
-      {
-        std::ostringstream message;
-        message << "The ring of radius " << largest
-                << " m for the stress intensity at the crack tip ("
-                << t.position << ") m does not fit: "
-                << Fracture::ring_obstacle(
-                       t,
-                       space.get_cracks(),
-                       distance_to_boundary(triangulation, t.position),
-                       {0., largest})
-                << ". Choose a radius below that, or 0 for the largest that "
-                   "fits.";
-        throw InputError(message.str());
-      }
+    result.tip = tip;
     for (const double share : {0.6, 0.8, 1.})
-      result.rings.push_back({0.2 * share * largest, share * largest});
-    if (largest < 2. * cell_size)
       {
-        std::ostringstream remark;
-        remark << "The rings at the tip (" << t.position << ") m are only "
-               << largest / cell_size << " cells wide: refine towards the tip.";
-        result.remark = remark.str();
+        result.rings.push_back({0.2 * share * largest, share * largest});
+        const Fracture::Ring &ring = result.rings.back();
+        if (ring.inner_radius < blending.outer_radius &&
+            ring.outer_radius > blending.inner_radius * (1. + 1e-9))
+          ++result.n_rings_on_blending_layer;
       }
+
+    std::ostringstream remark;
+    if (largest < 2. * cell_size)
+      remark << "The rings at the tip (" << t.position << ") m are only "
+             << largest / cell_size << " cells wide: refine towards the tip.";
+    if (result.n_rings_on_blending_layer > 0 && lowest_degree(space) == 1)
+      remark << (remark.str().empty() ? "" : " ") << "Of the "
+             << result.rings.size() << " rings at the tip (" << t.position
+             << ") m " << result.n_rings_on_blending_layer
+             << " overlap the layer from " << blending.inner_radius << " to "
+             << blending.outer_radius
+             << " m in which the tip functions fade out, which at degree 1 "
+                "about doubles the error: choose a larger enrichment radius, a "
+                "finer mesh, or degree 2.";
+    result.remark = remark.str();
     return result;
   }
 
@@ -133,7 +233,8 @@ namespace Morsel::FE
   void
   evaluate_rings(const ElasticProblem           &problem,
                  const ElasticProblem::Solution &solution,
-                 TipResult                      &result)
+                 TipResult                      &result,
+                 const bool                      both_components)
   {
     const XFEMSpace          &space = problem.get_space();
     const Fracture::CrackTip &tip   = space.get_tips()[result.tip];
@@ -185,18 +286,25 @@ namespace Morsel::FE
           }
       }
 
+    if (both_components)
+      add_crack_faces(problem, solution, tip, integrals);
+    const MPI_Comm communicator = solution.get_mpi_communicator();
     result.by_ring.clear();
     result.energy_release.clear();
+    result.energy_release_across.clear();
     for (unsigned int i = 0; i < integrals.size(); ++i)
       {
         const auto          mine = integrals[i].partial_sums();
         std::vector<double> all(mine.size());
-        Utilities::MPI::sum(mine, solution.get_mpi_communicator(), all);
+        Utilities::MPI::sum(mine, communicator, all);
         Fracture::InteractionIntegral total(
             tip, problem.get_material(), result.rings[i]);
-        total.add_partial_sums(all[0], all[1], all[2]);
+        total.add_partial_sums(all);
         result.by_ring.push_back(total.stress_intensity());
         result.energy_release.push_back(total.energy_release_rate());
+        if (both_components)
+          result.energy_release_across.push_back(
+              total.energy_release_rate_across());
       }
     result.statistics = Fracture::ring_statistics(result.by_ring);
   }

@@ -1,3 +1,4 @@
+#include <morsel/core/errors.h>
 #include <morsel/fracture/interaction_integral.h>
 #include <morsel/fracture/tip_fields.h>
 
@@ -50,11 +51,14 @@ namespace Morsel::Fracture
     const Tensor<2, 2> H     = to_tip_frame(tip, gradient);
     const Tensor<2, 2> sigma = to_tip_frame(tip, Tensor<2, 2>(stress));
 
-    // (sigma_ij u_i,1 - W delta_1j) q_,j with W = sigma:grad u / 2.
+    // (sigma_ij u_i,k - W delta_kj) q_,j with W = sigma:grad u / 2.
     Tensor<1, 2> traction_work = transpose(sigma) * dq;
-    energy_release +=
-        weight * (traction_work[0] * H[0][0] + traction_work[1] * H[1][0] -
-                  0.5 * scalar_product(sigma, H) * dq[0]);
+    const double density       = 0.5 * scalar_product(sigma, H);
+    energy_release += weight * (traction_work[0] * H[0][0] +
+                                traction_work[1] * H[1][0] - density * dq[0]);
+    energy_release_across +=
+        weight * (traction_work[0] * H[0][1] + traction_work[1] * H[1][1] -
+                  density * dq[1]);
 
     for (unsigned int mode = 0; mode < 2; ++mode)
       {
@@ -69,6 +73,16 @@ namespace Morsel::Fracture
                               aux_work[0] * H[0][0] + aux_work[1] * H[1][0] -
                               scalar_product(sigma, aux) * dq[0]);
       }
+  }
+
+
+  double
+  InteractionIntegral::ring_weight(const double distance) const
+  {
+    const double width = ring.outer_radius - ring.inner_radius;
+    const double t = std::clamp((distance - ring.inner_radius) / width, 0., 1.);
+    return 1. - t * t * t * t * t *
+                    (126. - t * (420. - t * (540. - t * (315. - t * 70.))));
   }
 
 
@@ -140,5 +154,24 @@ namespace Morsel::Fracture
                                    : "another crack")
         << ", which is " << limit << " m from the tip";
     return why.str();
+  }
+
+
+  void
+  check_ring_radius(const CrackTip           &tip,
+                    const std::vector<Crack> &cracks,
+                    const double              distance_to_boundary,
+                    const double              radius)
+  {
+    const std::string obstacle =
+        ring_obstacle(tip, cracks, distance_to_boundary, {0., radius});
+    if (obstacle.empty())
+      return;
+    std::ostringstream message;
+    message << "'Stress intensity/Ring radius' is " << radius
+            << " m, which does not fit at the crack tip (" << tip.position[0]
+            << ", " << tip.position[1] << ") m: " << obstacle
+            << ". Choose at most that, or 0 for the largest that fits.";
+    throw InputError(message.str());
   }
 } // namespace Morsel::Fracture

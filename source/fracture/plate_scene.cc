@@ -1,4 +1,5 @@
 #include <morsel/core/errors.h>
+#include <morsel/core/suggestions.h>
 #include <morsel/fracture/plate_scene.h>
 
 #include <deal.II/base/numbers.h>
@@ -12,29 +13,18 @@ namespace Morsel::Fracture
 {
   using namespace dealii;
 
+  const std::array<const char *, 4> side_names = {
+      {"Left", "Right", "Bottom", "Top"}};
+
+
   namespace
   {
-    constexpr std::array<const char *, 4> side_names = {
-        {"Left", "Right", "Bottom", "Top"}};
-
-
     std::string
     text(const Point<2> &p)
     {
       std::ostringstream out;
       out << '(' << p[0] << ", " << p[1] << ") m";
       return out.str();
-    }
-
-
-    /// Distance inside the plate (negative outside) [m].
-    double
-    depth_inside(const PlateScene &plate, const Point<2> &p)
-    {
-      return std::min({p[0] - plate.lower_corner[0],
-                       plate.upper_corner[0] - p[0],
-                       p[1] - plate.lower_corner[1],
-                       plate.upper_corner[1] - p[1]});
     }
 
 
@@ -65,30 +55,58 @@ namespace Morsel::Fracture
     }
 
 
-    /// Whether a crack from mouth to mouth leaves a part of the plate that
-    /// touches no support.
-    bool
-    cuts_off(const PlateScene &plate, const Crack &crack)
+    /// Refuses points outside the plate, a crack of no length and one along
+    /// the boundary.
+    void
+    check_path(const PlateScene            &plate,
+               const std::vector<Point<2>> &path,
+               const double                 tolerance)
     {
-      if (crack.has_tip(0) || crack.has_tip(1))
-        return false;
-      // Points along each side, supported ones remembered by side of crack.
-      bool held[2] = {false, false}, present[2] = {false, false};
-      for (unsigned int side = 0; side < 4; ++side)
-        for (unsigned int i = 1; i < 1000; ++i)
-          {
-            const double       t    = i / 1000.;
-            Point<2>           p    = plate.lower_corner;
-            const Tensor<1, 2> size = plate.upper_corner - plate.lower_corner;
-            p[side < 2 ? 0 : 1] += side % 2 == 0 ? 0. : size[side < 2 ? 0 : 1];
-            p[side < 2 ? 1 : 0] += t * size[side < 2 ? 1 : 0];
-            const unsigned int k = crack.signed_distance(p) > 0. ? 0 : 1;
-            present[k]           = true;
-            held[k]              = held[k] || plate.support[side] != "free";
-          }
-      return (present[0] && !held[0]) || (present[1] && !held[1]);
+      if (path.size() < 2)
+        throw InputError("'Cracks/Paths' has a crack of one point; it needs at "
+                         "least two, as in 'x, y > x, y'.");
+      for (unsigned int i = 0; i < path.size(); ++i)
+        {
+          const bool   end   = i == 0 || i + 1 == path.size();
+          const double depth = depth_inside(plate, path[i]);
+          if (depth < -tolerance)
+            throw InputError("The crack's point " + text(path[i]) +
+                             " lies outside the plate, which reaches from " +
+                             text(plate.lower_corner) + " to " +
+                             text(plate.upper_corner) +
+                             "; a crack may end on the boundary at most.");
+          if (!end && depth < tolerance)
+            throw InputError("The crack's point " + text(path[i]) +
+                             " lies on the plate's boundary; only a crack's "
+                             "ends may lie there.");
+          if (i > 0 && path[i].distance(path[i - 1]) <= tolerance)
+            throw InputError(
+                "The crack from " + text(path[i - 1]) + " to " + text(path[i]) +
+                " has no length; give two different points" +
+                (plate.crack_form == "inclined"
+                     ? ", that is a 'Cracks/Half length' above 0 (it is " +
+                           number_text(plate.half_length) + " m)."
+                     : "."));
+        }
+      // Interior vertices lie inside: only a straight crack can do this.
+      if (path.size() == 2 &&
+          depth_inside(plate, path[0] + 0.5 * (path[1] - path[0])) <= tolerance)
+        throw InputError("The crack from " + text(path[0]) + " to " +
+                         text(path[1]) +
+                         " runs along the plate's boundary; a crack must run "
+                         "inside the plate.");
     }
   } // namespace
+
+
+  double
+  depth_inside(const PlateScene &plate, const Point<2> &p)
+  {
+    return std::min({p[0] - plate.lower_corner[0],
+                     plate.upper_corner[0] - p[0],
+                     p[1] - plate.lower_corner[1],
+                     plate.upper_corner[1] - p[1]});
+  }
 
 
   Point<2>
@@ -98,15 +116,56 @@ namespace Morsel::Fracture
     try
       {
         if (parts.size() == 2)
-          return Point<2>(Utilities::string_to_double(parts[0]),
-                          Utilities::string_to_double(parts[1]));
+          {
+            const Point<2> p(Utilities::string_to_double(parts[0]),
+                             Utilities::string_to_double(parts[1]));
+            if (std::isfinite(p[0]) && std::isfinite(p[1]))
+              return p;
+          }
       }
     catch (const dealii::ExceptionBase &)
       {
         // The sentence below serves for this mistake, too.
       }
-    throw InputError("'" + entry + "' has '" + pair +
-                     "' where two numbers 'x, y' are needed.");
+    throw InputError("'" + entry + "' has '" + trimmed(pair) +
+                     "' where two finite numbers 'x, y' are needed.");
+  }
+
+
+  Tensor<1, 2>
+  traction_on(const PlateScene &plate, const unsigned int side)
+  {
+    return read_pair(plate.traction[side],
+                     std::string("Boundary/") + side_names[side] + " traction");
+  }
+
+
+  Tensor<1, 2>
+  displacement_of(const PlateScene &plate, const unsigned int side)
+  {
+    return read_pair(plate.displacement[side],
+                     std::string("Boundary/") + side_names[side] +
+                         " displacement");
+  }
+
+
+  HeldQuantity
+  held_quantity(const PlateScene &plate)
+  {
+    bool traction = false, displacement = false;
+    for (unsigned int side = 0; side < 4; ++side)
+      {
+        traction = traction || traction_on(plate, side).norm() > 0.;
+        displacement =
+            displacement || (plate.support[side] == "displacement" &&
+                             displacement_of(plate, side).norm() > 0.);
+      }
+    if (traction && displacement)
+      throw InputError(
+          "'Stress intensity/Energy growth' is set, but both tractions and "
+          "displacements load the plate: the energy difference T3-47 holds "
+          "for one of them; set it to 0 or use one kind of load.");
+    return displacement ? HeldQuantity::displacement : HeldQuantity::traction;
   }
 
 
@@ -118,70 +177,21 @@ namespace Morsel::Fracture
     std::vector<Crack> cracks;
     for (const std::vector<Point<2>> &path : read_paths(plate))
       {
-        if (path.size() < 2)
-          throw InputError("'Cracks/Paths': a crack needs at least two points "
-                           "'x, y > x, y'.");
-        for (unsigned int i = 0; i < path.size(); ++i)
-          {
-            const bool   end   = i == 0 || i + 1 == path.size();
-            const double depth = depth_inside(plate, path[i]);
-            if (depth < (end ? -tolerance : tolerance))
-              throw InputError("The crack's point " + text(path[i]) +
-                               " lies outside the plate from " +
-                               text(plate.lower_corner) + " to " +
-                               text(plate.upper_corner) + ".");
-          }
-        const bool  tip_first = depth_inside(plate, path.front()) > tolerance;
-        const bool  tip_last  = depth_inside(plate, path.back()) > tolerance;
-        const Crack crack(path, tip_first, tip_last);
-        if (path.size() == 2 && !tip_first && !tip_last &&
-            depth_inside(plate, path[0] + 0.5 * (path[1] - path[0])) <=
-                tolerance)
-          throw InputError("The crack from " + text(path[0]) + " to " +
-                           text(path[1]) + " runs along the plate's boundary.");
-        if (cuts_off(plate, crack))
-          throw InputError("The crack from " + text(path.front()) + " to " +
-                           text(path.back()) +
-                           " cuts the plate in two, and nothing holds one of "
-                           "the parts: end the crack inside the plate or "
-                           "support both parts.");
+        check_path(plate, path, tolerance);
+        const Crack crack(path,
+                          depth_inside(plate, path.front()) > tolerance,
+                          depth_inside(plate, path.back()) > tolerance);
         for (unsigned int c = 0; c < cracks.size(); ++c)
           if (cracks[c].distance(crack) <= tolerance)
-            throw InputError("Cracks " + std::to_string(c) + " and " +
-                             std::to_string(cracks.size()) +
+            throw InputError("'Cracks/Paths': cracks " + std::to_string(c) +
+                             " and " + std::to_string(cracks.size()) +
                              " touch or cross each other; they must stay "
                              "apart.");
-        cracks.push_back(crack.with_extended_mouths(0.01 * size));
+        cracks.push_back(crack);
       }
+    for (Crack &crack : cracks)
+      crack = crack.with_extended_mouths(0.01 * size);
     return cracks;
-  }
-
-
-  void
-  check(const PlateScene &plate)
-  {
-    const Tensor<1, 2> size = plate.upper_corner - plate.lower_corner;
-    if (size[0] <= 0. || size[1] <= 0.)
-      throw InputError("'Plate/Upper corner' must exceed 'Plate/Lower corner' "
-                       "in both coordinates.");
-    if (std::all_of(plate.support.begin(), plate.support.end(), [](auto &s) {
-          return s == "free";
-        }))
-      {
-        Tensor<1, 2> force;
-        for (unsigned int side = 0; side < 4; ++side)
-          force += size[side < 2 ? 1 : 0] *
-                   read_pair(plate.traction[side], "Boundary/traction");
-        double total = 0.;
-        for (unsigned int side = 0; side < 4; ++side)
-          total += size[side < 2 ? 1 : 0] *
-                   read_pair(plate.traction[side], "Boundary/traction").norm();
-        if (force.norm() > 1e-9 * total)
-          throw InputError("Nothing holds the plate, and its tractions are not "
-                           "in balance: clamp a side, put it on rollers, or "
-                           "load the opposite side, too.");
-      }
-    make_cracks(plate);
   }
 
 
@@ -204,7 +214,7 @@ namespace Morsel::Fracture
 
     prm.enter_subsection("Material");
     prm.add_parameter(
-        "Young's modulus", youngs_modulus, "[Pa].", Patterns::Double(1e-3));
+        "Young's modulus", youngs_modulus, "[Pa].", Patterns::Double(1., 1e15));
     prm.add_parameter(
         "Poisson's ratio", poissons_ratio, "[1].", Patterns::Double(0., 0.499));
     prm.add_parameter(
@@ -220,7 +230,8 @@ namespace Morsel::Fracture
     prm.add_parameter("Paths",
                       paths,
                       "Cracks as 'x, y > x, y > ...; x, y > ...' [m]; an end "
-                      "on the plate's boundary is a mouth, any other a tip.");
+                      "on the plate's boundary is a mouth, any other a tip. "
+                      "Without any the plate is whole.");
     prm.add_parameter("Centre", centre, "Of the inclined crack: x, y [m].");
     prm.add_parameter("Half length",
                       half_length,
@@ -235,15 +246,21 @@ namespace Morsel::Fracture
     prm.enter_subsection("Boundary");
     for (unsigned int side = 0; side < 4; ++side)
       {
-        prm.add_parameter(std::string(side_names[side]) + " support",
-                          support[side],
-                          "'clamp': no displacement; 'roller': none normal to "
-                          "the side; 'free'. Rigid motions that no support "
-                          "holds are held by pins in the right corners.",
-                          Patterns::Selection("free|clamp|roller"));
+        prm.add_parameter(
+            std::string(side_names[side]) + " support",
+            support[side],
+            "'clamp': no displacement; 'roller': none normal to "
+            "the side; 'displacement': the one given below; "
+            "'free'. Rigid motions that no support holds are "
+            "held by pins in the right corners.",
+            Patterns::Selection("free|clamp|roller|displacement"));
         prm.add_parameter(std::string(side_names[side]) + " traction",
                           traction[side],
                           "x, y [Pa].");
+        prm.add_parameter(std::string(side_names[side]) + " displacement",
+                          displacement[side],
+                          "x, y of a side whose support is 'displacement' "
+                          "[m].");
       }
     prm.leave_subsection();
 
@@ -258,16 +275,26 @@ namespace Morsel::Fracture
                       "Growth da of the energy route T3-47 [m]; 0: off. Its "
                       "bias falls with da, noise grows with 1/da.",
                       Patterns::Double(0.));
+    prm.add_parameter("Two directions",
+                      two_directions,
+                      "K_I and K_II by the thesis's mixed-mode recipe T3-15 "
+                      "from the two components of the J vector, too.");
     prm.add_parameter("Formula",
                       formula,
-                      "Handbook formula to compare with.",
+                      "Handbook formula to compare with: 'edge crack in "
+                      "tension' (T3-48) for a straight crack from the left "
+                      "side along x.",
                       Patterns::Selection("none|edge crack in tension"));
     prm.add_parameter("Reference I",
                       reference_I,
-                      "K_I expected at the first tip [Pa sqrt(m)]; 0: none.");
+                      "K_I expected at each tip, in their order, separated by "
+                      "commas [Pa sqrt(m)]; 0: none.",
+                      Patterns::List(Patterns::Double()));
     prm.add_parameter("Reference II",
                       reference_II,
-                      "K_II expected at the first tip [Pa sqrt(m)]; 0: none.");
+                      "K_II expected at each tip, in their order, separated by "
+                      "commas [Pa sqrt(m)]; 0: none.",
+                      Patterns::List(Patterns::Double()));
     prm.leave_subsection();
   }
 
@@ -278,12 +305,11 @@ namespace Morsel::Fracture
   {
     if (plate.formula == "none" || cracks.empty() || cracks[0].tips().empty())
       return 0.;
-    const Point<2> tip = cracks[0].tips()[0].position;
-    const double   a   = tip[0] - plate.lower_corner[0];
-    const double   x   = a / (plate.upper_corner[0] - plate.lower_corner[0]);
-    const double   stress =
-        read_pair(plate.traction[3], "Boundary/Top traction")[1];
-    const double Y =
+    const Point<2> tip    = cracks[0].tips()[0].position;
+    const double   a      = tip[0] - plate.lower_corner[0];
+    const double   x      = a / (plate.upper_corner[0] - plate.lower_corner[0]);
+    const double   stress = traction_on(plate, 3)[1];
+    const double   Y =
         1.12 + x * (-0.23 + x * (10.56 + x * (-21.74 + x * 30.42)));
     return stress * std::sqrt(numbers::PI * a) * Y;
   }

@@ -2,6 +2,7 @@
 #include <morsel/sph/cloud.h>
 #include <morsel/sph/neighbours.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <sstream>
@@ -74,6 +75,19 @@ namespace Morsel::SPH
     }
 
 
+    /// Whether a place keeps clear of all cracks but one.
+    bool
+    keeps_clear(const std::vector<Crack> &cracks,
+                const Crack              &own,
+                const Point<2>           &p,
+                const double              distance)
+    {
+      return std::all_of(cracks.begin(), cracks.end(), [&](const Crack &crack) {
+        return &crack == &own || crack.distance(p) > distance;
+      });
+    }
+
+
     /// Rows on both sides of each segment, half a spacing off it and further,
     /// the nearest first. Columns divide the segment evenly and are carried
     /// on beyond a tip.
@@ -106,11 +120,12 @@ namespace Morsel::SPH
                         begin + (c + 0.5) * length / columns * t;
                     const Tensor<1, 2> off = (row + 0.5) * spacing * normal;
                     const Point<2>     up = foot + off, down = foot - off;
-                    const double       near = 0.7 * spacing;
-                    if (std::min(depth_inside(filling, up),
-                                 depth_inside(filling, down)) < 0.3 * spacing ||
-                        !is_free(seeds, up, near) ||
-                        !is_free(seeds, down, near))
+                    const auto         usable = [&](const Point<2> &p) {
+                      return depth_inside(filling, p) >= 0.3 * spacing &&
+                             is_free(seeds, p, 0.7 * spacing) &&
+                             keeps_clear(cracks, crack, p, 0.4 * spacing);
+                    };
+                    if (!usable(up) || !usable(down))
                       continue;
                     Seed seed;
                     seed.position = up;

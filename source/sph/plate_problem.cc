@@ -2,6 +2,7 @@
 #include <morsel/fracture/energy_release.h>
 #include <morsel/sph/plate_problem.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 
@@ -44,6 +45,12 @@ namespace Morsel::SPH
   check(const PlateParameters &plate)
   {
     Fracture::check(plate);
+    const unsigned int n_ranks =
+        dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    if (n_ranks > 1)
+      throw InputError("'Method = SPH' runs a cracked plate on one rank, but " +
+                       std::to_string(n_ranks) +
+                       " are given: leave mpirun out, or choose 'XFEM'.");
     const Tensor<1, 2> size = plate.upper_corner - plate.lower_corner;
     const double       ratio =
         size[0] / plate.particles_x / (size[1] / plate.particles_y);
@@ -88,21 +95,25 @@ namespace Morsel::SPH
     bool no_turns = false;
     for (unsigned int side = 0; side < 4; ++side)
       {
-        const unsigned int normal = side < 2 ? 0 : 1;
-        if (parameters.support[side] != "free")
+        const unsigned int normal  = side < 2 ? 0 : 1;
+        const std::string &support = parameters.support[side];
+        const Tensor<1, 2> displacement =
+            support == "displacement"
+                ? Fracture::displacement_of(parameters, side)
+                : Tensor<1, 2>();
+        if (support != "free")
           {
-            solid.hold(side, normal);
+            solid.hold(side, normal, displacement[normal]);
             held[normal] = no_turns = true;
           }
-        if (parameters.support[side] == "clamp")
+        if (support == "clamp" || support == "displacement")
           {
-            solid.hold(side, 1 - normal);
+            solid.hold(side, 1 - normal, displacement[1 - normal]);
             held[1 - normal] = true;
           }
-        const Point<2> traction =
-            Fracture::read_pair(parameters.traction[side], "Boundary/traction");
+        const Tensor<1, 2> traction = Fracture::traction_on(parameters, side);
         if (traction.norm() > 0.)
-          solid.apply_traction(side, traction - Point<2>());
+          solid.apply_traction(side, traction);
       }
     const auto pin = [&](const Point<2> &place, const unsigned int component) {
       ShapeValues values;
@@ -149,18 +160,49 @@ namespace Morsel::SPH
       gradients[i] = gradient.gradient(i, displacement);
     results.strain_energy    = solid.strain_energy(displacement);
     results.hourglass_energy = control.energy(displacement);
-    results.external_work    = solid.traction_work(displacement);
+    results.external_work    = 2. * results.strain_energy;
     results.tips.clear();
     for (unsigned int t = 0; t < tips.size(); ++t)
       {
-        results.tips.push_back(
-            choose_rings(cloud, cracks, tips[t], parameters.ring_radius));
-        results.tips.back().tip = t;
+        Fracture::TipResult tip =
+            choose_rings(cloud, cracks, tips[t], parameters.ring_radius);
+        tip.tip = t;
         evaluate_rings(
-            *shape, gradients, material, tips[t], results.tips.back());
+            [&](const std::vector<Point<2>> &points) { return sample(points); },
+            material,
+            tips[t],
+            cloud.spacing,
+            parameters.two_directions,
+            tip);
+        results.tips.push_back(tip);
       }
     results.tip_time = timer.wall_time();
     return results;
+  }
+
+
+  Fracture::DisplacementSample
+  PlateProblem::sample_from(const Point<2> &eye, const Point<2> &x) const
+  {
+    ShapeValues values;
+    shape->evaluate(eye, x, values);
+    Fracture::DisplacementSample sample;
+    for (unsigned int k = 0; k < values.index.size(); ++k)
+      {
+        sample.value += values.value[k] * displacement[values.index[k]];
+        sample.gradient += values.value[k] * gradients[values.index[k]];
+      }
+    return sample;
+  }
+
+
+  std::vector<Fracture::DisplacementSample>
+  PlateProblem::sample(const std::vector<Point<2>> &points) const
+  {
+    std::vector<Fracture::DisplacementSample> samples;
+    for (const Point<2> &p : points)
+      samples.push_back(sample_from(p, p));
+    return samples;
   }
 
 
@@ -182,7 +224,7 @@ namespace Morsel::SPH
                                           parameters.plane_stress);
     return Fracture::stress_intensity_of_energy(
         Fracture::energy_difference(
-            energies, da, Fracture::HeldQuantity::traction),
+            energies, da, Fracture::held_quantity(parameters)),
         material.effective_modulus);
   }
 } // namespace Morsel::SPH

@@ -124,7 +124,9 @@ namespace Morsel::SPH
 
 
   void
-  StaticSolid::hold(const unsigned int side, const unsigned int component)
+  StaticSolid::hold(const unsigned int side,
+                    const unsigned int component,
+                    const double       displacement)
   {
     for (const BoundaryFacet &facet : boundary)
       if (facet.side == side)
@@ -132,7 +134,8 @@ namespace Morsel::SPH
             {component,
              penalty * youngs_modulus / (facet.length * facet.length),
              facet.index,
-             facet.weight});
+             facet.weight,
+             facet.length * displacement});
   }
 
 
@@ -145,7 +148,7 @@ namespace Morsel::SPH
 
 
   double
-  StaticSolid::gap(const Constraint &constraint, const VectorField &u) const
+  StaticSolid::trace(const Constraint &constraint, const VectorField &u) const
   {
     double sum = 0.;
     for (unsigned int k = 0; k < constraint.index.size(); ++k)
@@ -177,7 +180,7 @@ namespace Morsel::SPH
       f *= -1.;
     for (const Constraint &c : constraints)
       {
-        const double p = c.stiffness * gap(c, u);
+        const double p = c.stiffness * trace(c, u);
         for (unsigned int k = 0; k < c.index.size(); ++k)
           force[c.index[k]][c.component] += p * c.weight[k];
       }
@@ -218,7 +221,7 @@ namespace Morsel::SPH
     report.support_gap = 0.;
     for (Constraint &c : constraints)
       {
-        const double g = gap(c, u);
+        const double g = trace(c, u) - c.target;
         c.multiplier += c.stiffness * g;
         const double weight =
             std::accumulate(c.weight.begin(), c.weight.end(), 0.);
@@ -233,7 +236,11 @@ namespace Morsel::SPH
                        const Factorisation &factors,
                        const double         tolerance)
   {
-    const Vector<double> rhs = outer_force();
+    Vector<double> rhs = outer_force();
+    for (const Constraint &c : constraints)
+      for (unsigned int k = 0; k < c.index.size(); ++k)
+        rhs(2 * c.index[k] + c.component) +=
+            c.stiffness * c.target * c.weight[k];
     SolverControl control(largest_iteration_count, tolerance * rhs.l2_norm());
     SolverCG<Vector<double>> solver(control);
     solver.connect_condition_number_slot([&](const double condition) {
@@ -309,15 +316,5 @@ namespace Morsel::SPH
                scalar_product(Tensor<2, 2>(material.stress(H)), H);
       }
     return sum + control.energy(u);
-  }
-
-
-  double
-  StaticSolid::traction_work(const VectorField &u) const
-  {
-    double sum = 0.;
-    for (unsigned int i = 0; i < u.size(); ++i)
-      sum += load[i] * u[i];
-    return sum;
   }
 } // namespace Morsel::SPH

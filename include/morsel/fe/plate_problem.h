@@ -56,6 +56,10 @@ namespace Morsel::FE
     const PlateResults &
     run();
 
+    /// Distributes the unknowns on the first mesh, without solving.
+    void
+    set_up();
+
     const XFEMSpace &
     get_space() const
     {

@@ -2,24 +2,11 @@
 #define morsel_fe_stress_intensity_h
 
 #include <morsel/fe/elastic_problem.h>
-#include <morsel/fracture/interaction_integral.h>
-
-#include <string>
-#include <vector>
+#include <morsel/fracture/tip_result.h>
 
 namespace Morsel::FE
 {
-  /// Stress intensity at one tip, ring by ring.
-  struct TipResult
-  {
-    unsigned int                           tip = 0;
-    std::vector<Fracture::Ring>            rings;
-    std::vector<Fracture::StressIntensity> by_ring;
-    std::vector<double>                    energy_release; ///< J [J/m^2]
-    Fracture::RingStatistics               statistics;
-    /// What was wrong with the rings wished for; empty if nothing.
-    std::string remark;
-  };
+  using Fracture::TipResult;
 
 
   /// Distance from a point to the boundary of the mesh [m].
@@ -28,12 +15,27 @@ namespace Morsel::FE
                        const dealii::Point<2>         &p);
 
 
-  /// Rings about a tip that stay clear of boundary, kinks, other cracks and,
-  /// where there is room, of the blending layer of the tip functions. Rings
-  /// thinner than two cells bring a remark.
+  /// About one tip the layer of cells in which its functions fade out.
+  struct BlendingLayer
+  {
+    double inner_radius; ///< nearest point of such a cell [m]
+    double outer_radius; ///< farthest one [m]
+  };
+
+  /// Collective over all ranks; without any such cell both radii are 0.
+  BlendingLayer
+  find_blending_layer(const XFEMSpace &space, const unsigned int tip);
+
+
+  /// Three rings about a tip that stay clear of the boundary, kinks and other
+  /// cracks, and inside the blending layer of the tip functions where at
+  /// least two cells lie between it and the tip. Where rings overlap that
+  /// layer they are counted; at degree 1, where this costs accuracy, and
+  /// where rings are thinner than two cells, there is a remark.
   /// @param radius wished outer radius of the largest ring [m], 0: the
   ///   largest that fits
-  /// @throws InputError if no ring fits between the tip and its surroundings
+  /// @throws InputError if the wished ring does not fit between the tip and
+  ///   its surroundings
   TipResult
   choose_rings(const XFEMSpace   &space,
                const unsigned int tip,
@@ -41,10 +43,13 @@ namespace Morsel::FE
 
 
   /// Interaction integral over the given rings on the finite element field.
+  /// @param both_components whether J_2 is wanted, too; it needs the strain
+  ///   energy along the crack's faces
   void
   evaluate_rings(const ElasticProblem           &problem,
                  const ElasticProblem::Solution &solution,
-                 TipResult                      &result);
+                 TipResult                      &result,
+                 const bool                      both_components = false);
 } // namespace Morsel::FE
 
 #endif

@@ -58,6 +58,20 @@ namespace Morsel::Fracture
         const dealii::SymmetricTensor<2, 2> &stress,
         const double                         weight);
 
+    /// Adds one place of the two traction-free faces behind the tip, whose
+    /// strain energy densities differ; it counts for J_2 alone.
+    /// @param distance to the tip [m]
+    /// @param energy_jump strain energy density of the left face, as seen in
+    ///   the tip's direction, minus that of the right one [J/m^3]
+    /// @param weight   quadrature weight along the faces [m]
+    void
+    add_faces(const double distance,
+              const double energy_jump,
+              const double weight)
+    {
+      energy_release_across -= ring_weight(distance) * energy_jump * weight;
+    }
+
     /// K_I and K_II from what was added.
     StressIntensity
     stress_intensity() const;
@@ -69,6 +83,15 @@ namespace Morsel::Fracture
       return energy_release;
     }
 
+    /// J_2, the component of the J vector across the crack, from what was
+    /// added, the faces included [J/m^2]: -2 K_I K_II/E' for the singular
+    /// field (Hellen and Blackburn 1975).
+    double
+    energy_release_rate_across() const
+    {
+      return energy_release_across;
+    }
+
     const Ring &
     get_ring() const
     {
@@ -76,30 +99,35 @@ namespace Morsel::Fracture
     }
 
     /// Adds what another part of the domain (a rank) gathered.
+    /// @param sums as of partial_sums()
     void
-    add_partial_sums(const double mode_I,
-                     const double mode_II,
-                     const double energy)
+    add_partial_sums(const std::vector<double> &sums)
     {
-      integral_I += mode_I;
-      integral_II += mode_II;
-      energy_release += energy;
+      integral_I += sums[0];
+      integral_II += sums[1];
+      energy_release += sums[2];
+      energy_release_across += sums[3];
     }
 
-    /// The three running sums (mode I, mode II, J) for a sum over ranks.
+    /// The running sums (mode I, mode II, J_1, J_2) for a sum over ranks.
     std::vector<double>
     partial_sums() const
     {
-      return {integral_I, integral_II, energy_release};
+      return {integral_I, integral_II, energy_release, energy_release_across};
     }
 
   private:
+    /// q of the ring: 1 at the tip, 0 beyond the outer radius.
+    double
+    ring_weight(const double distance) const;
+
     CrackTip     tip;
     ElasticPlane material;
     Ring         ring;
-    double       integral_I     = 0.;
-    double       integral_II    = 0.;
-    double       energy_release = 0.;
+    double       integral_I            = 0.;
+    double       integral_II           = 0.;
+    double       energy_release        = 0.;
+    double       energy_release_across = 0.;
   };
 
 
@@ -125,6 +153,16 @@ namespace Morsel::Fracture
                 const std::vector<Crack> &cracks,
                 const double              distance_to_boundary,
                 const Ring               &ring);
+
+
+  /// Refuses an outer radius that the user wishes and that does not fit;
+  /// 0 stands for the largest one that fits.
+  /// @throws InputError naming the obstacle and the largest radius
+  void
+  check_ring_radius(const CrackTip           &tip,
+                    const std::vector<Crack> &cracks,
+                    const double              distance_to_boundary,
+                    const double              radius);
 
 
   /// The largest outer radius that ring_obstacle() accepts at a tip [m].

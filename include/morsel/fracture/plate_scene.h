@@ -2,6 +2,7 @@
 #define morsel_fracture_plate_scene_h
 
 #include <morsel/fracture/crack.h>
+#include <morsel/fracture/energy_release.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
@@ -35,12 +36,14 @@ namespace Morsel::Fracture
     /// By side: left, right, bottom, top.
     std::array<std::string, 4> support{{"free", "free", "free", "free"}};
     std::array<std::string, 4> traction{{"0, 0", "0, 0", "0, 0", "0, 0"}};
+    std::array<std::string, 4> displacement{{"0, 0", "0, 0", "0, 0", "0, 0"}};
 
-    double      ring_radius   = 0.; ///< [m], 0: the largest that fits
-    double      energy_growth = 0.; ///< [m], 0: no energy route
-    std::string formula       = "none";
-    double      reference_I   = 0.; ///< [Pa sqrt(m)], 0: none
-    double      reference_II  = 0.; ///< [Pa sqrt(m)], 0: none
+    double      ring_radius    = 0.; ///< [m], 0: the largest that fits
+    double      energy_growth  = 0.; ///< [m], 0: no energy route
+    bool        two_directions = false;
+    std::string formula        = "none";
+    /// By tip [Pa sqrt(m)], 0: none.
+    std::vector<double> reference_I, reference_II;
 
     /// Binds all members to entries.
     void
@@ -48,10 +51,10 @@ namespace Morsel::Fracture
   };
 
 
-  /// The cracks of the parameters: an end on or outside the plate's boundary
-  /// is a mouth, the others are tips.
-  /// @throws InputError for a crack outside the plate, of no length, crossing
-  ///   another one or itself, or cutting off a part that nothing holds
+  /// The cracks of the parameters: an end on the plate's boundary is a mouth,
+  /// any other a tip. Mouths are carried on beyond the boundary.
+  /// @throws InputError for a crack outside the plate or along its boundary,
+  ///   of no length, or crossing another one or itself
   std::vector<Crack>
   make_cracks(const PlateScene &parameters);
 
@@ -62,7 +65,30 @@ namespace Morsel::Fracture
   check(const PlateScene &parameters);
 
 
-  /// Two numbers "x, y".
+  /// The load on one side of the plate [Pa], or what it is moved by [m].
+  dealii::Tensor<1, 2>
+  traction_on(const PlateScene &parameters, const unsigned int side);
+  dealii::Tensor<1, 2>
+  displacement_of(const PlateScene &parameters, const unsigned int side);
+
+
+  /// Whether tractions load the plate, or displacements of its sides do,
+  /// which decides the sign of T3-47.
+  /// @throws InputError if both do
+  HeldQuantity
+  held_quantity(const PlateScene &parameters);
+
+
+  /// Distance inside the plate, negative outside [m].
+  double
+  depth_inside(const PlateScene &plate, const dealii::Point<2> &p);
+
+
+  /// "Left", "Right", "Bottom", "Top".
+  extern const std::array<const char *, 4> side_names;
+
+
+  /// Two numbers "x, y", both finite.
   /// @throws InputError naming the entry if the text is anything else
   dealii::Point<2>
   read_pair(const std::string &text, const std::string &entry);

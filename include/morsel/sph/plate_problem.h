@@ -26,14 +26,14 @@ namespace Morsel::SPH
   /// The results of one cracked plate.
   struct PlateResults
   {
-    std::vector<TipResult> tips;
-    double                 strain_energy    = 0.; ///< [J/m], all of it
-    double                 hourglass_energy = 0.; ///< part of it [J/m]
-    double                 external_work    = 0.; ///< [J/m]
-    unsigned int           n_particles      = 0;
-    double                 n_neighbours     = 0.; ///< of a particle, mean
-    StaticReport           solve;
-    double cloud_time = 0., operator_time = 0., tip_time = 0.; ///< [s]
+    std::vector<Fracture::TipResult> tips;
+    double                           strain_energy = 0.; ///< [J/m], all of it
+    double       hourglass_energy                  = 0.; ///< part of it [J/m]
+    double       external_work                     = 0.; ///< [J/m]
+    unsigned int n_particles                       = 0;
+    double       n_neighbours = 0.; ///< of a particle, mean
+    StaticReport solve;
+    double       cloud_time = 0., operator_time = 0., tip_time = 0.; ///< [s]
   };
 
 
@@ -68,12 +68,28 @@ namespace Morsel::SPH
       return displacement;
     }
 
-    /// Stress of a particle [Pa].
-    dealii::SymmetricTensor<2, 2>
-    stress(const unsigned int i) const
+    /// H_i of the particles [1].
+    const TensorField &
+    get_gradients() const
     {
-      return material.stress(gradients[i]);
+      return gradients;
     }
+
+    const PlateResults &
+    get_results() const
+    {
+      return results;
+    }
+
+    /// Displacement and gradient at @p x as @p eye sees them: the moving
+    /// least-squares fits of the particles' displacements and of their own
+    /// gradients, on the side that it sees.
+    Fracture::DisplacementSample
+    sample_from(const dealii::Point<2> &eye, const dealii::Point<2> &x) const;
+
+    /// The same at points that see for themselves.
+    std::vector<Fracture::DisplacementSample>
+    sample(const std::vector<dealii::Point<2>> &points) const;
 
     const Fracture::ElasticPlane &
     get_material() const

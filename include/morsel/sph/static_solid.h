@@ -50,9 +50,11 @@ namespace Morsel::SPH
     apply_traction(const unsigned int          side,
                    const dealii::Tensor<1, 2> &traction);
 
-    /// No displacement of one component on a side.
+    /// Prescribes the displacement of one component on a side [m].
     void
-    hold(const unsigned int side, const unsigned int component);
+    hold(const unsigned int side,
+         const unsigned int component,
+         const double       displacement = 0.);
 
     /// No displacement of one component at a place.
     void
@@ -70,10 +72,6 @@ namespace Morsel::SPH
     double
     strain_energy(const VectorField &u) const;
 
-    /// Work of the tractions [J/m].
-    double
-    traction_work(const VectorField &u) const;
-
     const StaticReport &
     get_report() const
     {
@@ -81,13 +79,14 @@ namespace Morsel::SPH
     }
 
   private:
-    /// A mean displacement that is held: sum_j weight_j u_j = 0.
+    /// A prescribed sum_j weight_j u_j.
     struct Constraint
     {
       unsigned int              component;
       double                    stiffness; ///< penalty per (weight times u)^2
       std::vector<unsigned int> index;
       std::vector<double>       weight;
+      double                    target     = 0.;
       double                    multiplier = 0.;
     };
 
@@ -111,8 +110,9 @@ namespace Morsel::SPH
     outer_force() const;
     void
     update_multipliers(const VectorField &u);
+    /// sum_j weight_j u_j.
     double
-    gap(const Constraint &constraint, const VectorField &u) const;
+    trace(const Constraint &constraint, const VectorField &u) const;
     VectorField
     inner_force(const VectorField &u) const;
 
