@@ -1,3 +1,4 @@
+#include "particle_plate_run.h"
 #include "xfem_plan.h"
 #include "xfem_run.h"
 
@@ -28,16 +29,32 @@ namespace Morsel
     }
 
 
+    /// A plate with every method's section; only that of its own method is
+    /// used.
+    struct AnyPlate
+    {
+      FE::PlateParameters      xfem; ///< the scene, too
+      SPH::PlateDiscretisation particles;
+
+      void
+      declare(ParameterHandler &prm)
+      {
+        xfem.declare(prm);
+        particles.declare(prm);
+      }
+    };
+
+
     /// Sets the plate's members by way of its entries.
     void
-    read_plate(FE::PlateParameters            &plate,
+    read_plate(AnyPlate                       &plate,
                ParameterHandler               &prm,
                const std::string              &scene_file,
                const std::vector<std::string> &overrides)
     {
       plate.declare(prm);
       set_parameters(prm, read_entries(scene_file, overrides));
-      if (plate.name.empty())
+      if (plate.xfem.name.empty())
         prm.set("Name", std::filesystem::path(scene_file).stem().string());
     }
 
@@ -77,16 +94,17 @@ namespace Morsel
   {
     if (scene_file.empty())
       return false;
-    return last_value(read_entries(scene_file, overrides), "Method", "") ==
-           "XFEM";
+    const std::string method =
+        last_value(read_entries(scene_file, overrides), "Method", "");
+    return method == "XFEM" || method == "SPH";
   }
 
 
   std::string
   fracture_parameters(const CommandLine &command_line)
   {
-    FE::PlateParameters plate;
-    ParameterHandler    prm;
+    AnyPlate         plate;
+    ParameterHandler prm;
     read_plate(plate, prm, command_line.scene_file, command_line.overrides);
     return printed(prm, command_line.print_parameters);
   }
@@ -95,8 +113,8 @@ namespace Morsel
   std::string
   default_fracture_parameters(const std::string &format)
   {
-    FE::PlateParameters plate;
-    ParameterHandler    prm;
+    AnyPlate         plate;
+    ParameterHandler prm;
     plate.declare(prm);
     return printed(prm, format);
   }
@@ -105,27 +123,40 @@ namespace Morsel
   void
   run_fracture_scene(const CommandLine &command_line)
   {
-    FE::PlateParameters plate;
-    ParameterHandler    prm;
+    AnyPlate         plate;
+    ParameterHandler prm;
     read_plate(plate, prm, command_line.scene_file, command_line.overrides);
-    check(plate);
-    check_memory(plate);
-    check_ranks(plate);
     RunOptions options = command_line.run;
     if (options.threads > 0)
       dealii::MultithreadInfo::set_thread_limit(options.threads);
-    const FirstRank first_rank;
+    const FirstRank            first_rank;
+    const SPH::PlateParameters particles{plate.xfem, plate.particles};
+    const bool                 by_particles = plate.xfem.method == "SPH";
+    if (by_particles)
+      check(particles);
+    else
+      {
+        check(plate.xfem);
+        check_memory(plate.xfem);
+        check_ranks(plate.xfem);
+      }
     if (options.validate_only)
       {
         first_rank.run([&] {
-          std::cout << describe_xfem_run(plate, make_cracks(plate))
+          std::cout << (by_particles ? describe_particle_plate(particles)
+                                     : describe_xfem_run(
+                                           plate.xfem, make_cracks(plate.xfem)))
                     << std::flush;
         });
         return;
       }
     if (options.output_directory.empty())
-      options.output_directory = "output/" + plate.name;
+      options.output_directory = "output/" + plate.xfem.name;
     first_rank.run([&] { prepare_output_directory(options.output_directory); });
-    run_xfem(plate, options, parameters_as_prm(prm, false));
+    const std::string used = parameters_as_prm(prm, false);
+    if (by_particles)
+      run_particle_plate(particles, options, used);
+    else
+      run_xfem(plate.xfem, options, used);
   }
 } // namespace Morsel

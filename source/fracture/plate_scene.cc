@@ -306,8 +306,10 @@ namespace Morsel::Fracture
     prm.add_parameter("Title", title, "What the scene shows.");
     prm.add_parameter("Method",
                       method,
-                      "'XFEM': a cracked plate by extended finite elements.",
-                      Patterns::Selection("XFEM"));
+                      "A cracked plate by extended finite elements ('XFEM') or "
+                      "by total Lagrangian particles ('SPH'); only the "
+                      "method's own section is used.",
+                      Patterns::Selection("XFEM|SPH"));
 
     prm.enter_subsection("Plate");
     prm.add_parameter("Lower corner", lower_corner, "x, y [m].");

@@ -1,0 +1,52 @@
+#ifndef morsel_sph_cloud_h
+#define morsel_sph_cloud_h
+
+#include <morsel/fracture/crack.h>
+#include <morsel/sph/voronoi.h>
+
+#include <deal.II/base/point.h>
+
+#include <vector>
+
+namespace Morsel::SPH
+{
+  /// How a rectangle is filled with particles.
+  struct Filling
+  {
+    dealii::Point<2> lower, upper; ///< [m]
+    unsigned int     n_x = 0, n_y = 0;
+    /// Rows along the cracks take the place of the lattice near them, so that
+    /// cracks run between two rows and end at a corner of cells.
+    bool         fit_to_cracks = true;
+    double       scatter       = 0.; ///< largest random offset [spacings]
+    unsigned int seed          = 1;
+  };
+
+
+  /// Particles in a rectangle with their Voronoi cells.
+  struct Cloud
+  {
+    dealii::Point<2>              lower, upper; ///< of the rectangle [m]
+    double                        spacing = 0.; ///< dp [m]
+    std::vector<dealii::Point<2>> points;       ///< X [m]
+    std::vector<VoronoiCell>      cells;
+
+    unsigned int
+    size() const
+    {
+      return points.size();
+    }
+  };
+
+
+  /// A lattice half a spacing inside of the rectangle, fitted to the cracks
+  /// and scattered as asked for. The two rows along a crack are scattered as
+  /// mirror images where the cloud is fitted, so that the crack stays on
+  /// facets of cells.
+  /// @throws InputError if a particle would lie on a crack
+  Cloud
+  fill_rectangle(const Filling                      &filling,
+                 const std::vector<Fracture::Crack> &cracks);
+} // namespace Morsel::SPH
+
+#endif

@@ -1,0 +1,131 @@
+#ifndef morsel_sph_static_solid_h
+#define morsel_sph_static_solid_h
+
+#include <morsel/fracture/elastic_plane.h>
+#include <morsel/sph/discrete_gradient.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace Morsel::SPH
+{
+  /// What a static solution cost and how good it is.
+  struct StaticReport
+  {
+    unsigned int n_dofs             = 0;
+    unsigned int n_iterations       = 0;  ///< of conjugate gradients, in all
+    unsigned int n_multiplier_steps = 0;  ///< of the supports
+    double       condition_number   = 0.; ///< of the preconditioned operator
+    double       residual    = 0.; ///< |inner + outer forces|/|outer ones| [1]
+    double       support_gap = 0.; ///< largest mean displacement of a held
+                                   ///< facet over the largest displacement [1]
+    double setup_time = 0., solution_time = 0.; ///< [s]
+  };
+
+
+  /// The small-strain total Lagrangian equations of a particle body in
+  /// equilibrium: sum_i V_i sigma(H_i) G_ij plus the residual control balance
+  /// the tractions. Tractions and supports act through the trace of the
+  /// displacement on the true boundary, facet by facet, although no particle
+  /// lies there: a traction's forces have the right moment, and what is held
+  /// is the mean displacement of each facet, exactly, by Lagrange
+  /// multipliers.
+  class StaticSolid
+  {
+  public:
+    /// All arguments but the material are kept by reference.
+    /// @param youngs_modulus scales the supports' penalty [Pa]
+    StaticSolid(const ShapeFunctions             &shape,
+                const DiscreteGradient           &gradient,
+                const ResidualControl            &control,
+                const std::vector<BoundaryFacet> &boundary,
+                const Fracture::ElasticPlane     &material,
+                const double                      youngs_modulus);
+
+    /// Uniform traction [Pa] on a side of the plate.
+    void
+    apply_traction(const unsigned int          side,
+                   const dealii::Tensor<1, 2> &traction);
+
+    /// Prescribes the displacement of one component on a side [m].
+    void
+    hold(const unsigned int side,
+         const unsigned int component,
+         const double       displacement = 0.);
+
+    /// No displacement of one component at a place.
+    void
+    pin(const ShapeValues &place, const unsigned int component);
+
+    /// @throws NumericalError if the body is not held
+    VectorField
+    solve();
+
+    /// Stress at the particles [Pa] and their displacement gradient [1].
+    dealii::SymmetricTensor<2, 2>
+    stress(const unsigned int i, const VectorField &u) const;
+
+    /// Strain energy at the particles [J/m].
+    double
+    strain_energy(const VectorField &u) const;
+
+    const StaticReport &
+    get_report() const
+    {
+      return report;
+    }
+
+  private:
+    /// A prescribed sum_j weight_j u_j.
+    struct Constraint
+    {
+      unsigned int              component;
+      double                    stiffness; ///< penalty per (weight times u)^2
+      std::vector<unsigned int> index;
+      std::vector<double>       weight;
+      double                    target     = 0.;
+      double                    multiplier = 0.;
+    };
+
+    struct Operator;
+    class Factorisation;
+
+    /// Solves for the present multipliers, from the present x.
+    /// @return number of iterations
+    unsigned int
+    improve(dealii::Vector<double> &x,
+            const Factorisation    &factors,
+            const double            tolerance);
+
+    /// The stiffness matrix, penalties of the supports included, times x.
+    dealii::Vector<double>
+    force_balance(const dealii::Vector<double> &x) const;
+    std::vector<Eigen::Triplet<double>>
+    preconditioner_entries() const;
+    /// Tractions and the reactions of the multipliers [N/m].
+    dealii::Vector<double>
+    outer_force() const;
+    void
+    update_multipliers(const VectorField &u);
+    /// sum_j weight_j u_j.
+    double
+    trace(const Constraint &constraint, const VectorField &u) const;
+    VectorField
+    inner_force(const VectorField &u) const;
+
+    const ShapeFunctions             &shape;
+    const DiscreteGradient           &gradient;
+    const ResidualControl            &control;
+    const std::vector<BoundaryFacet> &boundary;
+    Fracture::ElasticPlane            material;
+    double                            youngs_modulus;
+    VectorField                       load; ///< of the tractions [N/m]
+    std::vector<Constraint>           constraints;
+    StaticReport                      report;
+  };
+} // namespace Morsel::SPH
+
+#endif

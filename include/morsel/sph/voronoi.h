@@ -1,0 +1,63 @@
+#ifndef morsel_sph_voronoi_h
+#define morsel_sph_voronoi_h
+
+#include <deal.II/base/point.h>
+
+#include <vector>
+
+namespace Morsel::SPH
+{
+  /// An edge of a Voronoi cell, counter-clockwise about the cell.
+  struct CellFacet
+  {
+    static constexpr unsigned int no_particle = static_cast<unsigned int>(-1);
+
+    dealii::Point<2> first, second;           ///< [m]
+    unsigned int     neighbour = no_particle; ///< behind it; none at the edge
+    unsigned int     side      = 0; ///< of the rectangle: left, right, bottom,
+                                    ///< top; where there is no neighbour
+
+    bool
+    at_boundary() const
+    {
+      return neighbour == no_particle;
+    }
+
+    double
+    length() const
+    {
+      return first.distance(second);
+    }
+
+    /// Unit normal out of the cell.
+    dealii::Tensor<1, 2>
+    normal() const
+    {
+      const dealii::Tensor<1, 2> t = (second - first) / length();
+      return dealii::Tensor<1, 2>({t[1], -t[0]});
+    }
+  };
+
+
+  /// What lies nearer to one particle than to any other.
+  struct VoronoiCell
+  {
+    std::vector<CellFacet> facets;
+    double                 area = 0.; ///< [m^2]
+    dealii::Point<2>       centroid;  ///< [m]
+  };
+
+
+  /// The Voronoi cells of points in a rectangle, each cut out of it by the
+  /// perpendicular bisectors to its neighbours, nearest first.
+  /// @param points  inside of the rectangle, no two alike [m]
+  /// @param spacing typical distance of neighbours [m]: facets below 1e-9 of
+  ///   it are left out
+  std::vector<VoronoiCell>
+  voronoi_cells(const std::vector<dealii::Point<2>> &points,
+                const dealii::Point<2>              &lower,
+                const dealii::Point<2>              &upper,
+                const double                         spacing);
+} // namespace Morsel::SPH
+
+#endif

@@ -1,0 +1,91 @@
+#include <morsel/core/vtu.h>
+#include <morsel/sph/plate_output.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Morsel::SPH
+{
+  using dealii::Point;
+
+  namespace
+  {
+    /// Appends a point with the fields of a sample there.
+    void
+    add_sample(VtuGrid                            &grid,
+               const Point<2>                     &p,
+               const Fracture::DisplacementSample &sample,
+               const Fracture::ElasticPlane       &material)
+    {
+      const auto   s         = material.stress(sample.gradient);
+      const double zz        = material.out_of_plane_stress(s);
+      const double von_mises = std::sqrt(0.5 * (std::pow(s[0][0] - s[1][1], 2) +
+                                                std::pow(s[1][1] - zz, 2) +
+                                                std::pow(zz - s[0][0], 2)) +
+                                         3. * s[0][1] * s[0][1]);
+      grid.add_point(p[0], p[1]);
+      const auto append = [&](const char                   *name,
+                              std::initializer_list<double> values) {
+        auto &field = grid.point_field(name, values.size());
+        field.insert(field.end(), values);
+      };
+      append("displacement", {sample.value[0], sample.value[1], 0.});
+      append("stress_xx_yy_zz_xy", {s[0][0], s[1][1], zz, s[0][1]});
+      append("von_mises_stress", {von_mises});
+    }
+
+
+    double
+    in_units_of_ring(const PlateProblem &problem, const Point<2> &p)
+    {
+      double smallest = 1e3;
+      for (const Fracture::TipResult &r : problem.get_results().tips)
+        smallest = std::min(smallest,
+                            p.distance(problem.get_tips()[r.tip].position) /
+                                r.rings.back().outer_radius);
+      return smallest;
+    }
+  } // namespace
+
+
+  std::string
+  particles_vtu(const PlateProblem &problem)
+  {
+    VtuGrid      grid;
+    const Cloud &cloud = problem.get_cloud();
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      {
+        add_sample(grid,
+                   cloud.points[i],
+                   {problem.get_displacement()[i], problem.get_gradients()[i]},
+                   problem.get_material());
+        grid.point_field("volume", 1).push_back(cloud.cells[i].area);
+        grid.add_cell(VtuGrid::Shape::vertex, 1);
+      }
+    return grid.text();
+  }
+
+
+  std::string
+  cells_vtu(const PlateProblem &problem)
+  {
+    VtuGrid      grid;
+    const Cloud &cloud = problem.get_cloud();
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      {
+        const auto &facets = cloud.cells[i].facets;
+        for (const CellFacet &facet : facets)
+          {
+            add_sample(grid,
+                       facet.first,
+                       problem.sample_from(cloud.points[i], facet.first),
+                       problem.get_material());
+            grid.point_field("distance_over_ring", 1)
+                .push_back(in_units_of_ring(problem, facet.first));
+          }
+        grid.add_cell(VtuGrid::Shape::polygon, facets.size());
+        grid.cell_field("cell", 1).push_back(i);
+      }
+    return grid.text();
+  }
+} // namespace Morsel::SPH

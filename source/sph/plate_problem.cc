@@ -1,0 +1,230 @@
+#include <morsel/core/errors.h>
+#include <morsel/fracture/energy_release.h>
+#include <morsel/sph/plate_problem.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+#include <deal.II/base/utilities.h>
+
+#include <array>
+
+namespace Morsel::SPH
+{
+  using dealii::Point;
+  using dealii::Tensor;
+  using dealii::Timer;
+
+  namespace
+  {
+    double
+    particle_spacing(const PlateParameters &plate)
+    {
+      const Tensor<1, 2> size = plate.upper_corner - plate.lower_corner;
+      return std::sqrt(size[0] / plate.particles_x * size[1] /
+                       plate.particles_y);
+    }
+
+
+    Filling
+    filling_of(const PlateParameters &plate)
+    {
+      Filling filling;
+      filling.lower         = plate.lower_corner;
+      filling.upper         = plate.upper_corner;
+      filling.n_x           = plate.particles_x;
+      filling.n_y           = plate.particles_y;
+      filling.fit_to_cracks = plate.fit_to_cracks;
+      filling.scatter       = plate.scatter;
+      filling.seed          = plate.seed;
+      return filling;
+    }
+  } // namespace
+
+
+  void
+  check(const PlateParameters &plate)
+  {
+    Fracture::check(plate);
+    const unsigned int n_ranks =
+        dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    if (n_ranks > 1)
+      throw InputError("'Method = SPH' runs a cracked plate on one rank, but " +
+                       std::to_string(n_ranks) +
+                       " are given: leave mpirun out, or choose 'XFEM'.");
+    const Tensor<1, 2> size = plate.upper_corner - plate.lower_corner;
+    const double       ratio =
+        size[0] / plate.particles_x / (size[1] / plate.particles_y);
+    if (ratio < 0.8 || ratio > 1.25)
+      throw InputError(
+          "'SPH/Particles along x' and 'along y' give spacings of " +
+          dealii::Utilities::to_string(size[0] / plate.particles_x) + " and " +
+          dealii::Utilities::to_string(size[1] / plate.particles_y) +
+          " m, but the one must be between 0.8 and 1.25 of the other.");
+  }
+
+
+  PlateProblem::PlateProblem(const PlateParameters              &parameters,
+                             const std::vector<Fracture::Crack> &cracks)
+      : parameters(parameters)
+      , material(parameters.youngs_modulus,
+                 parameters.poissons_ratio,
+                 parameters.plane_stress)
+      , cracks(cracks)
+      , tips(Fracture::collect_tips(cracks))
+      , visibility(cracks,
+                   tip_handling_named(parameters.tip_handling),
+                   2. * parameters.smoothing_ratio *
+                       particle_spacing(parameters))
+  {
+    Timer timer;
+    cloud = fill_rectangle(filling_of(parameters), cracks);
+    shape = std::make_unique<ShapeFunctions>(
+        cloud,
+        Kernel(kernel_named(parameters.kernel),
+               parameters.smoothing_ratio * cloud.spacing),
+        visibility);
+    results.n_particles = cloud.size();
+    results.cloud_time  = timer.wall_time();
+  }
+
+
+  void
+  PlateProblem::apply_boundary_conditions(StaticSolid &solid) const
+  {
+    bool held[2]  = {false, false};
+    bool no_turns = false;
+    for (unsigned int side = 0; side < 4; ++side)
+      {
+        const unsigned int normal  = side < 2 ? 0 : 1;
+        const std::string &support = parameters.support[side];
+        const Tensor<1, 2> displacement =
+            support == "displacement"
+                ? Fracture::displacement_of(parameters, side)
+                : Tensor<1, 2>();
+        if (support != "free")
+          {
+            solid.hold(side, normal, displacement[normal]);
+            held[normal] = no_turns = true;
+          }
+        if (support == "clamp" || support == "displacement")
+          {
+            solid.hold(side, 1 - normal, displacement[1 - normal]);
+            held[1 - normal] = true;
+          }
+        const Tensor<1, 2> traction = Fracture::traction_on(parameters, side);
+        if (traction.norm() > 0.)
+          solid.apply_traction(side, traction);
+      }
+    const auto pin = [&](const Point<2> &place, const unsigned int component) {
+      ShapeValues values;
+      shape->evaluate(place, place, values);
+      solid.pin(values, component);
+    };
+    const Point<2> &low  = parameters.lower_corner;
+    const Point<2> &high = parameters.upper_corner;
+    for (unsigned int d = 0; d < 2; ++d)
+      if (!held[d])
+        pin(Point<2>(high[0], low[1]), d);
+    if (!no_turns)
+      pin(high, 0);
+  }
+
+
+  const PlateResults &
+  PlateProblem::run()
+  {
+    Timer                  timer;
+    const DiscreteGradient gradient = parameters.gradient == "matrix"
+                                          ? matrix_gradient(*shape)
+                                          : conforming_gradient(*shape);
+    const ResidualControl  control  = residual_control(
+        *shape, parameters.hourglass * parameters.youngs_modulus);
+    const auto boundary   = boundary_facets(*shape);
+    results.operator_time = timer.wall_time();
+    results.n_neighbours =
+        static_cast<double>(gradient.list.index.size()) / cloud.size();
+
+    StaticSolid solid(*shape,
+                      gradient,
+                      control,
+                      boundary,
+                      material,
+                      parameters.youngs_modulus);
+    apply_boundary_conditions(solid);
+    displacement  = solid.solve();
+    results.solve = solid.get_report();
+
+    timer.restart();
+    gradients.resize(cloud.size());
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      gradients[i] = gradient.gradient(i, displacement);
+    results.strain_energy    = solid.strain_energy(displacement);
+    results.hourglass_energy = control.energy(displacement);
+    results.external_work    = 2. * results.strain_energy;
+    results.tips.clear();
+    for (unsigned int t = 0; t < tips.size(); ++t)
+      {
+        Fracture::TipResult tip =
+            choose_rings(cloud, cracks, tips[t], parameters.ring_radius);
+        tip.tip = t;
+        evaluate_rings(
+            [&](const std::vector<Point<2>> &points) { return sample(points); },
+            material,
+            tips[t],
+            cloud.spacing,
+            parameters.two_directions,
+            tip);
+        results.tips.push_back(tip);
+      }
+    results.tip_time = timer.wall_time();
+    return results;
+  }
+
+
+  Fracture::DisplacementSample
+  PlateProblem::sample_from(const Point<2> &eye, const Point<2> &x) const
+  {
+    ShapeValues values;
+    shape->evaluate(eye, x, values);
+    Fracture::DisplacementSample sample;
+    for (unsigned int k = 0; k < values.index.size(); ++k)
+      {
+        sample.value += values.value[k] * displacement[values.index[k]];
+        sample.gradient += values.value[k] * gradients[values.index[k]];
+      }
+    return sample;
+  }
+
+
+  std::vector<Fracture::DisplacementSample>
+  PlateProblem::sample(const std::vector<Point<2>> &points) const
+  {
+    std::vector<Fracture::DisplacementSample> samples;
+    for (const Point<2> &p : points)
+      samples.push_back(sample_from(p, p));
+    return samples;
+  }
+
+
+  double
+  energy_route(const PlateParameters &parameters, const double energy)
+  {
+    const double          da = parameters.energy_growth;
+    std::array<double, 3> energies{{energy, 0., 0.}};
+    for (unsigned int i = 1; i < 3; ++i)
+      {
+        std::vector<Fracture::Crack> cracks;
+        for (const Fracture::Crack &crack : make_cracks(parameters))
+          cracks.push_back(crack.with_moved_tips(i * da));
+        PlateProblem problem(parameters, cracks);
+        energies[i] = problem.run().strain_energy;
+      }
+    const Fracture::ElasticPlane material(parameters.youngs_modulus,
+                                          parameters.poissons_ratio,
+                                          parameters.plane_stress);
+    return Fracture::stress_intensity_of_energy(
+        Fracture::energy_difference(
+            energies, da, Fracture::held_quantity(parameters)),
+        material.effective_modulus);
+  }
+} // namespace Morsel::SPH

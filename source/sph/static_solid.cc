@@ -1,0 +1,320 @@
+#include <morsel/core/errors.h>
+#include <morsel/sph/neighbour_stiffness.h>
+#include <morsel/sph/static_solid.h>
+
+#include <deal.II/base/timer.h>
+
+#include <deal.II/lac/solver_cg.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace Morsel::SPH
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Stiffness of a held facet over that of a layer as thick as the facet
+    /// is long; multipliers take away what it yields, the faster the stiffer
+    /// it is.
+    constexpr double       penalty                       = 1e3;
+    constexpr unsigned int largest_multiplier_step_count = 20;
+    constexpr double       final_tolerance               = 1e-13;
+    constexpr double       gap_tolerance                 = 1e-12;
+    constexpr unsigned int largest_iteration_count       = 2000;
+
+
+    VectorField
+    to_field(const Vector<double> &x)
+    {
+      VectorField field(x.size() / 2);
+      for (unsigned int i = 0; i < field.size(); ++i)
+        field[i] = Tensor<1, 2>({x(2 * i), x(2 * i + 1)});
+      return field;
+    }
+
+
+    Vector<double>
+    to_vector(const VectorField &field)
+    {
+      Vector<double> x(2 * field.size());
+      for (unsigned int i = 0; i < x.size(); ++i)
+        x(i) = field[i / 2][i % 2];
+      return x;
+    }
+
+
+    double
+    largest(const VectorField &field)
+    {
+      double result = 0.;
+      for (const Tensor<1, 2> &v : field)
+        result = std::max(result, v.norm());
+      return result;
+    }
+  } // namespace
+
+
+  /// A sparse Cholesky factorisation as a preconditioner.
+  class StaticSolid::Factorisation
+  {
+  public:
+    Factorisation(const Eigen::SparseMatrix<double> &lower)
+        : factors(lower)
+    {
+      if (factors.info() != Eigen::Success)
+        throw NumericalError("The particle body is not held: support it, or "
+                             "keep cracks from cutting parts off.");
+    }
+
+    void
+    vmult(Vector<double> &y, const Vector<double> &x) const
+    {
+      Eigen::Map<Eigen::VectorXd>(y.begin(), y.size()) =
+          factors.solve(Eigen::Map<const Eigen::VectorXd>(x.begin(), x.size()));
+    }
+
+  private:
+    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factors;
+  };
+
+
+  /// The stiffness matrix with the supports' penalties.
+  struct StaticSolid::Operator
+  {
+    void
+    vmult(Vector<double> &y, const Vector<double> &x) const
+    {
+      y = solid.force_balance(x);
+    }
+
+    const StaticSolid &solid;
+  };
+
+
+  StaticSolid::StaticSolid(const ShapeFunctions             &shape,
+                           const DiscreteGradient           &gradient,
+                           const ResidualControl            &control,
+                           const std::vector<BoundaryFacet> &boundary,
+                           const Fracture::ElasticPlane     &material,
+                           const double                      youngs_modulus)
+      : shape(shape)
+      , gradient(gradient)
+      , control(control)
+      , boundary(boundary)
+      , material(material)
+      , youngs_modulus(youngs_modulus)
+      , load(gradient.volume.size())
+  {}
+
+
+  void
+  StaticSolid::apply_traction(const unsigned int  side,
+                              const Tensor<1, 2> &traction)
+  {
+    for (const BoundaryFacet &facet : boundary)
+      if (facet.side == side)
+        for (unsigned int k = 0; k < facet.index.size(); ++k)
+          load[facet.index[k]] += facet.weight[k] * traction;
+  }
+
+
+  void
+  StaticSolid::hold(const unsigned int side,
+                    const unsigned int component,
+                    const double       displacement)
+  {
+    for (const BoundaryFacet &facet : boundary)
+      if (facet.side == side)
+        constraints.push_back(
+            {component,
+             penalty * youngs_modulus / (facet.length * facet.length),
+             facet.index,
+             facet.weight,
+             facet.length * displacement});
+  }
+
+
+  void
+  StaticSolid::pin(const ShapeValues &place, const unsigned int component)
+  {
+    constraints.push_back(
+        {component, penalty * youngs_modulus, place.index, place.value});
+  }
+
+
+  double
+  StaticSolid::trace(const Constraint &constraint, const VectorField &u) const
+  {
+    double sum = 0.;
+    for (unsigned int k = 0; k < constraint.index.size(); ++k)
+      sum +=
+          constraint.weight[k] * u[constraint.index[k]][constraint.component];
+    return sum;
+  }
+
+
+  VectorField
+  StaticSolid::inner_force(const VectorField &u) const
+  {
+    TensorField sigma(u.size());
+    for (unsigned int i = 0; i < u.size(); ++i)
+      sigma[i] = stress(i, u);
+    VectorField force(u.size());
+    gradient.add_force(sigma, force);
+    control.add_force(u, force);
+    return force;
+  }
+
+
+  Vector<double>
+  StaticSolid::force_balance(const Vector<double> &x) const
+  {
+    const VectorField u     = to_field(x);
+    VectorField       force = inner_force(u);
+    for (Tensor<1, 2> &f : force)
+      f *= -1.;
+    for (const Constraint &c : constraints)
+      {
+        const double p = c.stiffness * trace(c, u);
+        for (unsigned int k = 0; k < c.index.size(); ++k)
+          force[c.index[k]][c.component] += p * c.weight[k];
+      }
+    return to_vector(force);
+  }
+
+
+  std::vector<Eigen::Triplet<double>>
+  StaticSolid::preconditioner_entries() const
+  {
+    std::vector<Eigen::Triplet<double>> entries =
+        neighbour_stiffness(shape, material);
+    for (const Constraint &c : constraints)
+      for (unsigned int k = 0; k < c.index.size(); ++k)
+        for (unsigned int l = 0; l < c.index.size(); ++l)
+          if (c.index[k] >= c.index[l])
+            entries.emplace_back(2 * c.index[k] + c.component,
+                                 2 * c.index[l] + c.component,
+                                 c.stiffness * c.weight[k] * c.weight[l]);
+    return entries;
+  }
+
+
+  Vector<double>
+  StaticSolid::outer_force() const
+  {
+    VectorField outer = load;
+    for (const Constraint &c : constraints)
+      for (unsigned int k = 0; k < c.index.size(); ++k)
+        outer[c.index[k]][c.component] -= c.multiplier * c.weight[k];
+    return to_vector(outer);
+  }
+
+
+  void
+  StaticSolid::update_multipliers(const VectorField &u)
+  {
+    report.support_gap = 0.;
+    for (Constraint &c : constraints)
+      {
+        const double g = trace(c, u) - c.target;
+        c.multiplier += c.stiffness * g;
+        const double weight =
+            std::accumulate(c.weight.begin(), c.weight.end(), 0.);
+        report.support_gap = std::max(report.support_gap, std::abs(g / weight));
+      }
+    report.support_gap /= largest(u);
+  }
+
+
+  unsigned int
+  StaticSolid::improve(Vector<double>      &x,
+                       const Factorisation &factors,
+                       const double         tolerance)
+  {
+    Vector<double> rhs = outer_force();
+    for (const Constraint &c : constraints)
+      for (unsigned int k = 0; k < c.index.size(); ++k)
+        rhs(2 * c.index[k] + c.component) +=
+            c.stiffness * c.target * c.weight[k];
+    SolverControl control(largest_iteration_count, tolerance * rhs.l2_norm());
+    SolverCG<Vector<double>> solver(control);
+    solver.connect_condition_number_slot([&](const double condition) {
+      report.condition_number = std::max(report.condition_number, condition);
+    });
+    try
+      {
+        solver.solve(Operator{*this}, x, rhs, factors);
+      }
+    catch (const SolverControl::NoConvergence &)
+      {
+        throw NumericalError(
+            "The particles' equilibrium was not found within " +
+            std::to_string(largest_iteration_count) +
+            " iterations: the body is hardly held, or zero-energy modes are "
+            "free; raise 'SPH/Hourglass coefficient' or support the body.");
+      }
+    return control.last_step();
+  }
+
+
+  VectorField
+  StaticSolid::solve()
+  {
+    Timer                       timer;
+    const auto                  entries = preconditioner_entries();
+    const unsigned int          n_dofs  = 2 * load.size();
+    Eigen::SparseMatrix<double> matrix(n_dofs, n_dofs);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Factorisation factors(matrix);
+    report.n_dofs     = n_dofs;
+    report.setup_time = timer.wall_time();
+    timer.restart();
+
+    Vector<double> x(n_dofs);
+    for (double tolerance = 1e-4;;)
+      {
+        report.n_iterations += improve(x, factors, tolerance);
+        update_multipliers(to_field(x));
+        ++report.n_multiplier_steps;
+        if ((tolerance <= final_tolerance &&
+             report.support_gap < gap_tolerance) ||
+            report.n_multiplier_steps == largest_multiplier_step_count)
+          break;
+        // Every step of the multipliers gains as many digits.
+        tolerance = std::max(final_tolerance, tolerance / penalty);
+      }
+    const VectorField    u       = to_field(x);
+    Vector<double>       balance = to_vector(inner_force(u));
+    const Vector<double> outer   = outer_force();
+    balance += outer;
+    report.residual      = balance.l2_norm() / outer.l2_norm();
+    report.solution_time = timer.wall_time();
+    return u;
+  }
+
+
+  SymmetricTensor<2, 2>
+  StaticSolid::stress(const unsigned int i, const VectorField &u) const
+  {
+    return material.stress(gradient.gradient(i, u));
+  }
+
+
+  double
+  StaticSolid::strain_energy(const VectorField &u) const
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < u.size(); ++i)
+      {
+        const Tensor<2, 2> H = gradient.gradient(i, u);
+        sum += 0.5 * gradient.volume[i] *
+               scalar_product(Tensor<2, 2>(material.stress(H)), H);
+      }
+    return sum + control.energy(u);
+  }
+} // namespace Morsel::SPH

@@ -1,0 +1,75 @@
+#include <morsel/sph/visibility.h>
+
+#include <algorithm>
+
+namespace Morsel::SPH
+{
+  using dealii::Point;
+  using dealii::Tensor;
+  using Fracture::Crack;
+  using Fracture::CrackTip;
+
+  TipHandling
+  tip_handling_named(const std::string &name)
+  {
+    return name == "diffraction"    ? TipHandling::diffraction
+           : name == "transparency" ? TipHandling::transparency
+                                    : TipHandling::visibility;
+  }
+
+
+  Visibility::Visibility(const std::vector<Crack> &all,
+                         const TipHandling         handling,
+                         const double              reach)
+      : handling(handling)
+      , reach(reach)
+  {
+    // Cells of a fitted cloud meet in the tip: lines through it are not cut.
+    for (const Crack &crack : all)
+      cracks.push_back(crack.with_moved_tips(-1e-6 * reach));
+    tips = Fracture::collect_tips(cracks);
+  }
+
+
+  bool
+  Visibility::sees(const Point<2> &p, const Point<2> &q) const
+  {
+    return std::none_of(cracks.begin(), cracks.end(), [&](const Crack &crack) {
+      return crack.separates(p, q);
+    });
+  }
+
+
+  double
+  Visibility::distance(const Point<2> &eye,
+                       const Point<2> &x,
+                       const Point<2> &node) const
+  {
+    const double straight = x.distance(node);
+    if (sees(eye, node))
+      return straight;
+    double best = hidden;
+    for (const CrackTip &tip : tips)
+      {
+        if (handling == TipHandling::diffraction)
+          {
+            const Point<2> around = tip.position + 1e-6 * reach * tip.direction;
+            if (sees(eye, around) && sees(around, node))
+              best = std::min(
+                  best, x.distance(tip.position) + tip.position.distance(node));
+          }
+        else if (handling == TipHandling::transparency)
+          {
+            // Where the line meets that of the tip's segment, behind the tip.
+            const Tensor<1, 2> a = tip.to_local(eye), b = tip.to_local(node);
+            if (a[1] * b[1] >= 0.)
+              continue;
+            const double behind = -(a[0] * b[1] - b[0] * a[1]) / (b[1] - a[1]);
+            if (behind > 0. && behind < reach)
+              best =
+                  std::min(best, straight + behind * behind / (0.25 * reach));
+          }
+      }
+    return best;
+  }
+} // namespace Morsel::SPH
