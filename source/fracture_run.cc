@@ -120,7 +120,13 @@ namespace Morsel
       }
     if (options.output_directory.empty())
       options.output_directory = "output/" + plate.name;
-    first_rank.run([&] { prepare_output_directory(options.output_directory); });
+    // Mistakes that only the mesh shows come before anything is written.
+    first_rank.run([&] {
+      dealii::Triangulation<2> mesh(
+          dealii::Triangulation<2>::limit_level_difference_at_vertices);
+      FE::PlateProblem(plate, make_cracks(plate), mesh).set_up();
+      prepare_output_directory(options.output_directory);
+    });
     run_xfem(plate, options, parameters_as_prm(prm, false));
   }
 } // namespace Morsel
