@@ -152,7 +152,16 @@ namespace Morsel
       }
     if (options.output_directory.empty())
       options.output_directory = "output/" + plate.xfem.name;
-    first_rank.run([&] { prepare_output_directory(options.output_directory); });
+    // Mistakes that only the mesh shows come before anything is written.
+    first_rank.run([&] {
+      if (!by_particles)
+        {
+          dealii::Triangulation<2> mesh(
+              dealii::Triangulation<2>::limit_level_difference_at_vertices);
+          FE::PlateProblem(plate.xfem, make_cracks(plate.xfem), mesh).set_up();
+        }
+      prepare_output_directory(options.output_directory);
+    });
     const std::string used = parameters_as_prm(prm, false);
     if (by_particles)
       run_particle_plate(particles, options, used);

@@ -42,7 +42,7 @@ add_message_test(bad_print_format 2 "xml" --print-parameters xml)
 set(m1 ${CMAKE_SOURCE_DIR}/prm/fracture/m1_xfem.prm)
 add_message_test(plate_degree_0 2 "'XFEM/Degree' = '0'.*a whole number from 1 to 8"
                  ${m1} --set "XFEM/Degree=0")
-add_message_test(plate_radius_beyond_plate 2 "'XFEM/Enrichment radius' is 0.02 m; it must be below half the plate's smaller side, 0.005 m"
+add_message_test(plate_radius_beyond_plate 2 "'XFEM/Enrichment radius' is 0.02 m. it must be below half the plate's smaller side, 0.005 m"
                  ${m1} --set "XFEM/Enrichment radius=0.02")
 add_message_test(plate_radius_nan 2 "'XFEM/Enrichment radius' = 'nan' is not allowed"
                  ${m1} --set "XFEM/Enrichment radius=nan")
@@ -66,13 +66,13 @@ add_message_test(plate_nan_in_pair 2 "'Cracks/Paths' has '0, nan' where two fini
                  ${m1} --set "Cracks/Paths=0, nan > 0.001, 0.005")
 add_message_test(plate_far_away 2 "lies outside the plate"
                  ${m1} --set "Cracks/Paths=0, 0.005 > 1e300, 0.005")
-add_message_test(plate_huge_load 2 "'Boundary/Top traction' is '0, 1e300' Pa; at most 1e15"
+add_message_test(plate_huge_load 2 "'Boundary/Top traction' is '0, 1e300' Pa. at most 1e15"
                  ${m1} --set "Boundary/Top traction=0, 1e300")
 add_message_test(plate_unknown_key 2 "Did you mean 'Degree'"
                  ${m1} --set "XFEM/Degre=3")
 add_message_test(plate_ring_too_large 2 "'Stress intensity/Ring radius' is 0.0011 m, which does not fit at the crack tip .0.001, 0.005. m.*0.001 m from the tip"
                  ${m1} --set "Stress intensity/Ring radius=0.0011")
-add_message_test(plate_growth_too_large 2 "'Stress intensity/Energy growth' is 1 m; it must be below"
+add_message_test(plate_growth_too_large 2 "'Stress intensity/Energy growth' is 1 m. it must be below"
                  ${m1} --set "Stress intensity/Energy growth=1")
 add_message_test(plate_too_many_references 2 "'Stress intensity/Reference I' has 2 value.s., but the scene has 1 crack tip"
                  ${m1} --set "Stress intensity/Reference I=64, 65")
@@ -84,7 +84,7 @@ add_message_test(plate_too_large 2 "make 5.12064e.08 unknowns, whose solution ta
                  ${m1} --set "XFEM/Cells along x=2000" --set "XFEM/Cells along y=2000"
                  --set XFEM/Degree=8)
 add_message_test(plate_radius_beyond_segment 2
-                 "'XFEM/Enrichment radius' is 0.0012 m; it must be below the length of the crack's segment"
+                 "'XFEM/Enrichment radius' is 0.0012 m. it must be below the length of the crack's segment"
                  ${m1} --set "Cracks/Paths=0, 0.005 > 0.003, 0.005 > 0.0036, 0.006"
                  --set "Stress intensity/Formula=none"
                  --set "XFEM/Enrichment radius=0.0012")

@@ -273,10 +273,11 @@ namespace Morsel::FE
     const auto [cell_size, degree] = resolution_at(space, t.position);
     const BlendingLayer blending   = find_blending_layer(space, tip);
 
-    // Clear of what they must not touch; inside the blending layer if the
-    // rings are then still wide enough to pay.
-    double largest = radius > 0. ? radius : 0.95 * limit;
-    if (radius == 0. && blending.inner_radius >= 2. * cell_size)
+    // Clear of what they must not touch; at degree 1, where the blending
+    // layer is felt, inside it if the rings are then still wide enough.
+    const bool linear  = lowest_degree(space) == 1;
+    double     largest = radius > 0. ? radius : 0.95 * limit;
+    if (linear && radius == 0. && blending.inner_radius >= 2. * cell_size)
       largest = std::min(largest, blending.inner_radius);
     TipResult result;
     result.tip = tip;
@@ -295,7 +296,7 @@ namespace Morsel::FE
       remark << "The rings at the tip (" << t.position << ") m are only "
              << largest / cell_size << " cells of degree " << degree
              << " wide: refine towards the tip.";
-    if (result.n_rings_on_blending_layer > 0 && lowest_degree(space) == 1)
+    if (linear && result.n_rings_on_blending_layer > 0)
       remark << (remark.str().empty() ? "" : " ") << "Of the "
              << result.rings.size() << " rings at the tip (" << t.position
              << ") m " << result.n_rings_on_blending_layer

@@ -306,16 +306,15 @@ BOOST_AUTO_TEST_CASE(two_tips_in_one_cell)
 BOOST_AUTO_TEST_CASE(rings_keep_off_the_blending_layer_where_there_is_room)
 {
   FE::PlateParameters p = edge_crack();
-  p.degree = p.tip_degree = 2;
+  p.degree = p.tip_degree = 1;
   p.enrichment_radius     = 8e-4;
   p.cells_x = p.cells_y = 51;
   const Solved fine(p);
   BOOST_TEST(fine.results.tips[0].n_rings_on_blending_layer == 0u);
   BOOST_TEST(std::abs(fine.results.tips[0].statistics.mean.mode_I /
                           (load * std::sqrt(PI * 1e-3) * 1.1496039) -
-                      1.) < 1e-5);
-  p.degree = p.tip_degree = 1;
-  p.enrichment_radius     = 6e-4;
+                      1.) < 3e-3);
+  p.enrichment_radius = 6e-4;
   p.cells_x = p.cells_y = 25;
   const Solved coarse(p);
   BOOST_TEST(coarse.results.tips[0].n_rings_on_blending_layer > 0u);

@@ -28,9 +28,9 @@ namespace Morsel::FE
 
 
   /// Three rings about a tip that stay clear of the boundary, kinks and other
-  /// cracks, and inside the blending layer of the tip functions where at
-  /// least two cells lie between it and the tip. Where rings overlap that
-  /// layer they are counted; at degree 1, where this costs accuracy, and
+  /// cracks and, at degree 1, inside the blending layer of the tip functions
+  /// where at least two cells lie between it and the tip. Rings that overlap
+  /// that layer are counted; at degree 1, where this costs accuracy, and
   /// where rings are thinner than 4/degree cells, there is a remark.
   /// @param radius wished outer radius of the largest ring [m], 0: the
   ///   largest that fits
