@@ -1,4 +1,5 @@
 #include <morsel/core/errors.h>
+#include <morsel/core/failure.h>
 #include <morsel/core/log.h>
 #include <morsel/core/parameters.h>
 #include <morsel/fe/open_crack_output.h>
@@ -110,15 +111,29 @@ namespace Morsel
                       results.tip_time + results.space_time + results.mesh_time,
                   "s",
                   "mesh, space, assembly, solution and stress intensity");
-      summary.add("smallest_relative_pivot",
-                  results.solve.smallest_pivot,
-                  "1",
-                  "of the factorisation; near 1e-14 the enrichment is "
-                  "dependent");
-      summary.add("dropped_pivots",
-                  results.solve.n_dropped_pivots,
-                  "1",
-                  "unknowns set to zero by the factorisation");
+      if (results.solve.n_iterations == 0)
+        {
+          summary.add("smallest_relative_pivot",
+                      results.solve.smallest_pivot,
+                      "1",
+                      "of the factorisation; near 1e-14 the enrichment is "
+                      "dependent");
+          summary.add("dropped_pivots",
+                      results.solve.n_dropped_pivots,
+                      "1",
+                      "unknowns set to zero by the factorisation");
+        }
+      if (results.solve.n_iterations > 0)
+        {
+          summary.add("solver_iterations",
+                      results.solve.n_iterations,
+                      "1",
+                      "conjugate gradients of the last solution");
+          summary.add("condition_number",
+                      results.solve.condition_number,
+                      "1",
+                      "of the preconditioned system, by Lanczos");
+        }
       summary.add_part("mesh", results.mesh_time);
       summary.add_part("space", results.space_time);
       summary.add_part("assembly", results.solve.assembly_time);
@@ -130,6 +145,19 @@ namespace Morsel
                     "Pa m",
                     "residual estimate before adaptive step " +
                         std::to_string(i + 1));
+    }
+
+
+    std::string
+    describe(const FE::SolveReport &solve)
+    {
+      std::ostringstream text;
+      text << "Solved by " << solve.solver;
+      if (solve.n_iterations > 0)
+        text << ": " << solve.n_iterations << " iterations, condition number "
+             << solve.condition_number << ", " << solve.n_patch_dofs
+             << " unknowns about the cracks directly";
+      return text.str() + '.';
     }
 
 
@@ -194,6 +222,10 @@ namespace Morsel
     const MPI_Comm     communicator = MPI_COMM_WORLD;
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     const bool first = Utilities::MPI::this_mpi_process(communicator) == 0;
+    if (n_ranks > 1 && plate.solver == "umfpack")
+      throw InputError("'XFEM/Solver' is 'umfpack', which works on one rank "
+                       "only: choose 'multifrontal' or 'iterative'.");
+    const FirstRank first_rank;
     if (command_line.run.validate_only)
       {
         if (first)
@@ -228,12 +260,12 @@ namespace Morsel
     std::string folder = command_line.run.output_directory;
     if (folder.empty())
       folder = "output/" + plate.name;
-    if (first)
-      prepare_output_directory(folder);
+    first_rank.run([&] { prepare_output_directory(folder); });
     RunLog log(folder + "/run.log", command_line.run.quiet, first);
     log << (plate.title.empty() ? plate.name : plate.title) << '\n'
         << results.n_cells << " cells, " << results.solve.n_dofs
-        << " degrees of freedom, " << computing << " s\n";
+        << " degrees of freedom, " << computing << " s\n"
+        << describe(results.solve) << '\n';
     for (const FE::TipResult &tip : results.tips)
       {
         std::ostringstream text;
@@ -246,9 +278,7 @@ namespace Morsel
           log.warning(tip.remark);
       }
 
-    if (first)
-      Output::create_folder(folder + "/solution");
-    MPI_Barrier(communicator);
+    first_rank.run([&] { Output::create_folder(folder + "/solution"); });
     const std::string rank =
         n_ranks > 1
             ? "_" +

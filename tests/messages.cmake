@@ -46,3 +46,22 @@ add_message_test(print_json 0 "\"entry\": \"Young's modulus\"" --print-parameter
 add_message_test(print_of_scene 0 "set Young's modulus += 23900000" --print-parameters
                  prm ${peanut})
 add_message_test(validate 0 "." --validate ${peanut})
+
+# Mistakes on several ranks: found by all of them, in the shared part of the
+# reading, or by the one rank whose cells show it.
+function(add_ranks_test name pattern)
+  add_test(NAME messages/${name}_3_ranks
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/check_ranks.sh 3 2 ${pattern}
+                   $<TARGET_FILE:morsel> ${ARGN})
+  set_tests_properties(messages/${name}_3_ranks PROPERTIES
+    LABELS messages TIMEOUT 60 PROCESSORS 2)
+endfunction()
+set(cracked_plate ${CMAKE_SOURCE_DIR}/prm/fracture/m1_xfem.prm)
+add_ranks_test(food_scene "no file '.*penut.prm'" ${CMAKE_SOURCE_DIR}/prm/food/penut.prm)
+add_ranks_test(unknown_key "Did you mean" ${cracked_plate} --set XFEM/Degre=2)
+add_ranks_test(crack_outside "crack" ${cracked_plate} --set
+               "Cracks/Paths=0.02, 0.005 > 0.03, 0.005")
+add_ranks_test(kink_in_enrichment "smaller enrichment radius" ${cracked_plate} --set
+               "Cracks/Paths=0, 0.005 > 0.0008, 0.005 > 0.0018, 0.0052")
+add_ranks_test(solver_of_one_rank "works on one rank only" ${cracked_plate} --set
+               XFEM/Solver=umfpack)

@@ -1,6 +1,7 @@
 // Which vertices and cells the cracks enrich: the geometric half of the
 // XFEM space.
 #include <morsel/core/errors.h>
+#include <morsel/core/failure.h>
 #include <morsel/fe/cut_quadrature.h>
 #include <morsel/fe/xfem_space.h>
 
@@ -249,7 +250,16 @@ namespace Morsel::FE
             tips_of_cell[index].push_back(t);
       }
     assign_slots(jumps, tips_of_cell);
+    run_on_all_ranks(triangulation->get_communicator(),
+                     [&] { enrich_cells(jumps, tips_of_cell); });
+  }
 
+
+  void
+  XFEMSpace::enrich_cells(const std::vector<std::vector<int>> &jumps,
+                          const std::vector<std::vector<int>> &tips_of_cell)
+  {
+    std::vector<types::global_dof_index> dofs(4);
     for (const auto &cell : vertex_handler.active_cell_iterators())
       {
         if (cell->is_artificial())
