@@ -63,8 +63,10 @@ namespace Morsel::FE
                       Patterns::Double(0.01, 1.));
     prm.add_parameter("Solver",
                       solver,
-                      "'multifrontal' (Cholesky by elements) or 'umfpack'.",
-                      Patterns::Selection("multifrontal|umfpack"));
+                      "'multifrontal' (Cholesky by elements, on the first "
+                      "rank), 'iterative' (conjugate gradients; for meshes "
+                      "that do not fit one rank) or 'umfpack' (one rank).",
+                      Patterns::Selection("multifrontal|iterative|umfpack"));
     prm.leave_subsection();
   }
 } // namespace Morsel::FE

@@ -5,11 +5,6 @@
 
 #include <deal.II/base/timer.h>
 
-#include <deal.II/distributed/grid_refinement.h>
-#include <deal.II/distributed/tria.h>
-
-#include <deal.II/grid/grid_refinement.h>
-
 #include <algorithm>
 
 namespace Morsel::FE
@@ -115,9 +110,10 @@ namespace Morsel::FE
     problem = std::make_unique<ElasticProblem>(*space, material);
     apply_boundary_conditions();
     results.space_time += timer.wall_time();
-    solution = problem->solve(parameters.solver == "umfpack"
-                                  ? SolverKind::umfpack
-                                  : SolverKind::multifrontal);
+    solution = problem->solve(
+        parameters.solver == "umfpack"     ? SolverKind::umfpack
+        : parameters.solver == "iterative" ? SolverKind::iterative
+                                           : SolverKind::multifrontal);
   }
 
 
@@ -130,15 +126,7 @@ namespace Morsel::FE
         const Vector<float> errors = estimate_errors(*problem, solution);
         results.estimates.push_back(std::sqrt(Utilities::MPI::sum(
             errors.norm_sqr(), triangulation.get_communicator())));
-        if (auto *distributed =
-                dynamic_cast<parallel::distributed::Triangulation<2> *>(
-                    &triangulation))
-          parallel::distributed::GridRefinement::
-              refine_and_coarsen_fixed_number(
-                  *distributed, errors, parameters.refined_share, 0.);
-        else
-          GridRefinement::refine_and_coarsen_fixed_number(
-              triangulation, errors, parameters.refined_share, 0.);
+        mark_largest(triangulation, errors, parameters.refined_share);
         triangulation.execute_coarsening_and_refinement();
         solve_once();
       }
