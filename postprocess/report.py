@@ -26,7 +26,7 @@ def main(arguments=None):
     folder = parser.parse_args(arguments).output_dir
 
     try:
-        from morsel_report import page, reader
+        from morsel_report import page, reader, study
     except ImportError as error:
         print(
             f"The report needs a Python package: {error}. On Debian: apt-get "
@@ -35,12 +35,13 @@ def main(arguments=None):
         )
         return 2
     try:
-        run = reader.Run(folder)
+        if (folder / "study.json").is_file():
+            report = study.write(folder)
+        else:
+            report = page.write(reader.Run(folder))
     except reader.NoRun as error:
         print(error, file=sys.stderr)
         return 2
-    try:
-        report = page.write(run)
     except OSError as error:
         print(f"Cannot write the report: {error}.", file=sys.stderr)
         return 4

@@ -59,6 +59,25 @@ namespace Morsel
     }
 
 
+    /// Prescribed displacements are projected on the boundary by one rank, and
+    /// UMFPACK is serial.
+    void
+    check_ranks(const FE::PlateParameters &plate)
+    {
+      if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+        return;
+      if (plate.solver == "umfpack")
+        throw InputError("'XFEM/Solver' is 'umfpack', which works on one rank "
+                         "only: choose 'multifrontal' or 'iterative'.");
+      for (unsigned int side = 0; side < 4; ++side)
+        if (plate.support[side] == "displacement")
+          throw InputError(std::string("'Boundary/") +
+                           Fracture::side_names[side] +
+                           " support' is 'displacement', which works on one "
+                           "rank only: run without mpirun.");
+    }
+
+
     std::string
     printed(const ParameterHandler &prm, const std::string &format)
     {
@@ -119,6 +138,7 @@ namespace Morsel
       {
         check(plate.xfem);
         check_memory(plate.xfem);
+        check_ranks(plate.xfem);
       }
     if (options.validate_only)
       {

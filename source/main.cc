@@ -5,6 +5,8 @@
 #include <morsel/fracture_run.h>
 #include <morsel/scene/read.h>
 #include <morsel/simulation.h>
+#include <morsel/study/run_study.h>
+#include <morsel/study/study.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>
@@ -44,6 +46,11 @@ namespace
   void
   run(const CommandLine &command_line)
   {
+    if (Study::is_study(command_line.scene_file))
+      {
+        Study::run_study(command_line);
+        return;
+      }
     if (command_line.resume)
       throw InputError("--resume: there is no checkpoint in the folder of "
                        "results to go on from; leave the option out to start "
@@ -95,6 +102,13 @@ main(int argc, char **argv)
     if (!command_line.message.empty())
       first_rank.run([&] { std::cout << command_line.message; });
     else if (!command_line.print_parameters.empty() &&
+             Study::is_study(command_line.scene_file))
+      first_rank.run([&] {
+        std::cout << Study::study_parameters(command_line.print_parameters,
+                                             command_line.scene_file,
+                                             command_line.overrides);
+      });
+    else if (!command_line.print_parameters.empty() &&
              is_fracture_scene(command_line.scene_file, command_line.overrides))
       first_rank.run([&] { std::cout << fracture_parameters(command_line); });
     else if (!command_line.print_parameters.empty())
@@ -103,6 +117,11 @@ main(int argc, char **argv)
             parameter_format(command_line.print_parameters),
             command_line.scene_file,
             command_line.overrides);
+        // The pages of reference show both kinds of scenes.
+        if (command_line.print_parameters == "md" &&
+            command_line.scene_file.empty())
+          std::cout << "\n# Cracked plates (Method = XFEM)\n"
+                    << default_fracture_parameters("md");
       });
     else
       run(command_line);

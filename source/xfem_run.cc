@@ -56,15 +56,29 @@ namespace Morsel
                       results.tip_time + results.space_time + results.mesh_time,
                   "s",
                   "mesh, space, assembly, solution and stress intensity");
-      summary.add("smallest_relative_pivot",
-                  results.solve.smallest_pivot,
-                  "1",
-                  "of the factorisation; near 1e-14 the enrichment is "
-                  "dependent");
-      summary.add("dropped_pivots",
-                  results.solve.n_dropped_pivots,
-                  "1",
-                  "unknowns set to zero by the factorisation");
+      if (results.solve.n_iterations == 0)
+        {
+          summary.add("smallest_relative_pivot",
+                      results.solve.smallest_pivot,
+                      "1",
+                      "of the factorisation; near 1e-14 the enrichment is "
+                      "dependent");
+          summary.add("dropped_pivots",
+                      results.solve.n_dropped_pivots,
+                      "1",
+                      "unknowns set to zero by the factorisation");
+        }
+      else
+        {
+          summary.add("solver_iterations",
+                      results.solve.n_iterations,
+                      "1",
+                      "conjugate gradients of the last solution");
+          summary.add("condition_number",
+                      results.solve.condition_number,
+                      "1",
+                      "of the preconditioned system, by Lanczos");
+        }
       summary.add_part("mesh", results.mesh_time);
       summary.add_part("space", results.space_time);
       summary.add_part("assembly", results.solve.assembly_time);
@@ -79,6 +93,19 @@ namespace Morsel
     }
 
 
+    std::string
+    describe(const FE::SolveReport &solve)
+    {
+      std::ostringstream text;
+      text << "Solved by " << solve.solver;
+      if (solve.n_iterations > 0)
+        text << ": " << solve.n_iterations << " iterations, condition number "
+             << solve.condition_number << ", " << solve.n_patch_dofs
+             << " unknowns about the cracks directly";
+      return text.str() + '.';
+    }
+
+
     void
     tell(RunLog                    &log,
          const FE::PlateParameters &plate,
@@ -86,7 +113,8 @@ namespace Morsel
          const double               seconds)
     {
       log << results.n_cells << " cells, " << results.solve.n_dofs
-          << " degrees of freedom, " << seconds << " s\n";
+          << " degrees of freedom, " << seconds << " s\n"
+          << describe(results.solve) << '\n';
       for (const FE::TipResult &tip : results.tips)
         {
           std::ostringstream text;

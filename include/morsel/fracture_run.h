@@ -22,6 +22,7 @@ namespace Morsel
 
 
   /// The same with the default values, without any scene.
+  /// @param format prm, json or md
   std::string
   default_fracture_parameters(const std::string &format);
 

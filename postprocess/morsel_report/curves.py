@@ -53,7 +53,7 @@ def force_over_time(run):
         right = t[i] > 0.6 * t.max()
         axes.plot(time_factor * t[i], factor * mean[i], "o", ms=5,
                   color=style.INK, zorder=5)
-        axes.annotate("peak " + style.quantity(mean[i], "N", 3),
+        axes.annotate("peak of the mean " + style.quantity(mean[i], "N", 3),
                       (time_factor * t[i], factor * mean[i]),
                       xytext=(-8 if right else 8, 2),
                       ha="right" if right else "left", fontsize=9,

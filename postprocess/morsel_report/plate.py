@@ -68,10 +68,10 @@ def draw_cracks(axes, run, **line):
                                        "solid_capstyle": "round", **line})
 
 
-def length_bar(axes, view):
-    """A bar of a round length below the picture."""
+def length_bar(axes, view, share=0.25):
+    """A bar of a round length, at most a share of the width, below."""
     width = view[1][0] - view[0][0]
-    length = round_number(width / 4)
+    length = round_number(share * width)
     y = view[0][1] - 0.05 * (view[1][1] - view[0][1])
     axes.plot([view[0][0], view[0][0] + length], [y, y], color=style.INK,
               lw=2.5, clip_on=False, solid_capstyle="butt")
@@ -120,98 +120,66 @@ def deformed(run):
     return figure
 
 
-def elastic_constants(run):
-    """(E, nu, plane stress) of used.prm."""
-    return (float(run.parameter("Young's modulus", "1")),
-            float(run.parameter("Poisson's ratio", "0.3")),
-            run.parameter("Plane stress", "false") == "true")
-
-
-def singular_stress(run, tip, points):
-    """xx, yy, xy of Williams' r^(-1/2) field with the K measured [Pa]."""
-    x = points - tip.place
-    c, s = tip.direction
-    r = np.maximum(np.hypot(*x.T), 1e-300)
-    t = np.arctan2(-s * x[:, 0] + c * x[:, 1], c * x[:, 0] + s * x[:, 1])
-    a, b = np.sin(t / 2), np.cos(t / 2)
-    k1 = np.mean(tip.mode_I) / np.sqrt(2 * np.pi * r)
-    k2 = np.mean(tip.mode_II) / np.sqrt(2 * np.pi * r)
-    a3, b3 = np.sin(1.5 * t), np.cos(1.5 * t)
-    xx = k1 * b * (1 - a * a3) - k2 * a * (2 + b * b3)
-    yy = k1 * b * (1 + a * a3) + k2 * a * b * b3
-    xy = k1 * a * b * b3 + k2 * b * (1 - a * a3)
-    return (c * c * xx - 2 * s * c * xy + s * s * yy,
-            s * s * xx + 2 * s * c * xy + c * c * yy,
-            s * c * (xx - yy) + (c * c - s * s) * xy)
-
-
-def von_mises(run, xx, yy, xy):
-    """Von Mises stress in the plane of the scene."""
-    _, nu, plane_stress = elastic_constants(run)
-    zz = 0.0 if plane_stress else nu * (xx + yy)
-    return np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2)
-                   + 3 * xy ** 2)
-
-
-def part_near(grid, tip):
-    """The cells of a grid that come near a tip, as a grid's triangles."""
-    reach = 1.05 * tip.outer.max()
-    near = np.all(np.abs(grid.points - tip.place) <= 1.6 * reach, axis=1)
-    triangles = grid.triangles()
-    return triangles[near[triangles].all(axis=1)], reach
+def von_mises(run, table, here, kind):
+    """Von Mises stress of some rows of tip_stress.csv."""
+    rr, tt, rt = (table[f"{kind}_{part}"][here] for part in ("rr", "tt",
+                                                             "rt"))
+    plane_stress = run.parameter("Plane stress", "false") == "true"
+    nu = 0.0 if plane_stress else float(run.parameter("Poisson's ratio",
+                                                      "0.3"))
+    zz = nu * (rr + tt)
+    return np.sqrt(0.5 * ((rr - tt) ** 2 + (tt - zz) ** 2 + (zz - rr) ** 2)
+                   + 3 * rt ** 2)
 
 
 def tip_field(run):
     """Von Mises stress about each tip, the singular field, the difference."""
-    grid, tips = run.plate, run.tips[:MOST_TIPS]
-    if grid is None or not tips:
+    table, tips = run.tip_stress, run.tips[:MOST_TIPS]
+    if "stress_tt" not in table or not tips:
         return None
-    stress = grid.point_fields["von_mises_stress"]
     figure, rows = plt.subplots(
         len(tips), 3, squeeze=False, layout="constrained",
-        figsize=(9.6, 0.5 + 2.75 * len(tips)))
+        figsize=(9.6, 0.4 + 2.75 * len(tips)))
     for row, tip in zip(rows, tips):
-        triangles, reach = part_near(grid, tip)
-        used = np.unique(triangles)
-        computed = stress[used]
-        singular = von_mises(run, *singular_stress(run, tip,
-                                                   grid.points[used]))
-        r = np.hypot(*(grid.points[used] - tip.place).T)
-        top = 1.6 * float(np.median(singular[(r > 0.2 * reach)
-                                             & (r < 0.5 * reach)]))
+        here = (table["tip"] == tip.number) & (table["angle"] != 0)
+        radii = np.unique(table["radius"][here])
+        computed, singular = (
+            von_mises(run, table, here, kind).reshape(len(radii), -1)
+            for kind in ("stress", "asymptotic"))
+        top = 1.5 * float(np.median(
+            singular[np.searchsorted(radii, 0.15 * radii.max())]))
         factor, unit = style.prefix_of(top, "Pa")
-        number = np.full(len(grid.points), 0)
-        number[used] = np.arange(len(used))
-        place = 1e3 * (grid.points[used] - tip.place)
+        angle = (np.radians(table["angle"][here])
+                 + np.arctan2(*tip.direction[::-1])).reshape(len(radii), -1)
+        r = 1e3 * table["radius"][here].reshape(len(radii), -1)
+        x, y = r * np.cos(angle), r * np.sin(angle)
+        reach = 1.03 * r.max()
         scales = [dict(cmap=style.STRESS, vmin=0, vmax=factor * top)] * 2 + [
-            dict(cmap="RdBu_r", vmin=-0.25 * factor * top,
-                 vmax=0.25 * factor * top)]
-        titles = ["computed", "asymptotic field of the K measured",
+            dict(cmap="RdBu_r", vmin=-0.5 * factor * top,
+                 vmax=0.5 * factor * top)]
+        titles = ["computed", "singular field of the K measured",
                   "difference"]
         for axes, values, scale, title in zip(
                 row, (computed, singular, computed - singular), scales,
                 titles):
-            mapper = axes.tripcolor(place[:, 0], place[:, 1],
-                                    number[triangles], factor * values,
-                                    shading="gouraud", rasterized=True,
-                                    **scale)
-            if run.cracks is not None:
-                for crack in run.cracks.polygons():
-                    axes.plot(*(1e3 * (crack - tip.place)).T, lw=1.3,
-                              color="white" if title != "difference"
-                              else style.INK)
+            mapper = axes.pcolormesh(x, y, factor * values,
+                                     shading="gouraud", rasterized=True,
+                                     **scale)
+            axes.plot([-r.max() * tip.direction[0], 0],
+                      [-r.max() * tip.direction[1], 0], color=style.INK,
+                      lw=1.8, solid_capstyle="butt")
             bare(axes)
-            axes.set_xlim(-1e3 * reach, 1e3 * reach)
-            axes.set_ylim(-1e3 * reach, 1e3 * reach)
+            axes.set_xlim(-reach, reach)
+            axes.set_ylim(-reach, reach)
             axes.set_title(f"Tip {tip.number}: {title}", fontsize=9.5)
-            if title.startswith("asymptotic"):
+            if title.startswith("singular"):
                 colour_bar(figure, mapper, list(row[:2]),
-                           f"Von Mises stress [{unit}]", shrink=0.8)
+                           f"Von Mises stress [{unit}]", shrink=0.85)
             elif title == "difference":
                 colour_bar(figure, mapper, axes, f"Difference [{unit}]",
-                           extend="both", shrink=0.8)
-        view = np.array([[-1e3 * reach] * 2, [1e3 * reach] * 2])
-        length_bar(row[0], view)
+                           extend="both", shrink=0.85)
+        length_bar(row[0], ((-reach, -0.95 * reach), (reach, 0.95 * reach)),
+                   share=0.2)
     return figure
 
 
@@ -227,6 +195,9 @@ def tip_lines(run):
         here = table["tip"] == tip.number
         ahead = here & (table["angle"] == 0)
         around = here & ~ahead
+        radii = np.unique(table["radius"][around])
+        circle = radii[np.searchsorted(radii, 0.25 * radii.max())]
+        around &= table["radius"] == circle
         factor, unit = style.prefix_of(
             np.abs(table["stress_tt"][around]).max(), "Pa")
         r = 1e3 * table["radius"][ahead]
@@ -286,8 +257,8 @@ def enrichment(run):
     if run.tips:
         # About the tips, with whatever is enriched there.
         marks = [1e3 * nodes.points[nodes.point_fields["kind"] >= 2]]
-        marks += [1e3 * (t.place + s * t.outer.max())
-                  for t in run.tips for s in ([[-1, -1]], [[1, 1]])]
+        marks += [1e3 * (t.place + np.array([[s, s]]) * t.outer.max())
+                  for t in run.tips for s in (-1, 1)]
         marks = np.concatenate([m for m in marks if len(m)])
         centre = 0.5 * (marks.min(axis=0) + marks.max(axis=0))
         half = 0.56 * np.ptp(marks, axis=0).max()
@@ -322,8 +293,9 @@ def enrichment(run):
         handles.append(plt.Line2D([], [], color=style.ORANGE))
         labels.append("rings (dashed: inner edge)")
     if handles:
-        figure.legend(handles, labels, loc="outside lower center",
-                      ncols=len(handles))
+        row[0][-1].legend(handles, labels, loc="upper right", ncols=2,
+                          bbox_to_anchor=(1.0, -0.015), borderaxespad=0,
+                          fontsize=8.5, columnspacing=1.0, handletextpad=0.3)
     return figure
 
 

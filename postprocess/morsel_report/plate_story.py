@@ -15,8 +15,8 @@ FIGURES = [
     ("tip_field", plate.tip_field,
      "The stress about the tips as computed, beside the singular field that "
      "the stress intensity factors measured there belong to, on one scale; "
-     "right, their difference, which grows away from the tip, where the "
-     "plate's other terms come in.", True),
+     "right, their difference, which stays bounded: the plate's other terms, "
+     "the stress along the crack first among them.", True),
     ("tip_lines", plate.tip_lines,
      "Left, the stress straight ahead of the tip; right, around it. Dashed: "
      "the singular field of the factors measured, without the plate's other "

@@ -78,7 +78,9 @@ namespace Morsel::Contact
 
     /// The thesis's potential (T4-1 to T4-3, sign corrected) between a
     /// particle and the nodes of the surface: areas times depth stand for
-    /// the volumes, K = kappa E / dp^2.
+    /// the volumes, K = kappa E / dp^2. The force at the range is taken off, so
+    /// that it sets in without a step: a step would make or take energy at
+    /// every crossing, as much as the leapfrog step is long.
     class NodePotential : public PlateContact
     {
     public:
@@ -90,7 +92,8 @@ namespace Morsel::Contact
           , scale(parameters.potential_kappa * side.youngs_modulus *
                   side.depth * side.spacing)
           , n(parameters.potential_exponent)
-          , at_range(std::pow(kernel.value(range) / at_spacing, n))
+          , at_range(power(range))
+          , slope_at_range(slope(range))
       {}
 
       double
@@ -122,16 +125,15 @@ namespace Morsel::Contact
             const double       r    = away.norm();
             if (r >= range || r == 0.)
               continue;
-            const double power = std::pow(kernel.value(r) / at_spacing, n);
-            const double phi   = scale * surface.tributary[j];
-            const auto   f     = phi * n * power / kernel.value(r) *
-                           kernel.gradient_weight(r) * away;
+            const double phi = scale * surface.tributary[j];
+            const auto   f   = phi * (slope_at_range - slope(r)) / r * away;
             sum += f;
             surface.force[j] -= f;
             shares.emplace_back(j, f.norm());
             weights += shares.back().second;
             v_nodes += shares.back().second * surface.velocity[j];
-            energy += phi * (power - at_range);
+            energy +=
+                phi * (power(r) - at_range - slope_at_range * (r - range));
             penetration = std::max(penetration, 0.5 * side.spacing - r);
           }
         const double size = sum.norm();
@@ -150,11 +152,26 @@ namespace Morsel::Contact
       }
 
     private:
+      /// (W(r)/W(dp))^n.
+      double
+      power(const double r) const
+      {
+        return std::pow(kernel.value(r) / at_spacing, n);
+      }
+
+      /// Its derivative [1/m].
+      double
+      slope(const double r) const
+      {
+        return -n * power(r) / kernel.value(r) * r * kernel.gradient_weight(r);
+      }
+
       const Kernel kernel;
       const double at_spacing; ///< W(dp) [1/m^2]
       const double scale;      ///< V_i K per length of surface [J/m]
       const double n;
-      const double at_range; ///< (W(range)/W(dp))^n, where the force ends
+      const double at_range;       ///< power() where the force ends
+      const double slope_at_range; ///< [1/m]
       /// Nodes that press on the particle at hand, with the size of each force.
       std::vector<std::pair<unsigned int, double>> shares;
     };

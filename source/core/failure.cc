@@ -18,17 +18,17 @@ namespace Morsel
 {
   namespace
   {
-    /// A failure of rank 0 as the other ranks see it.
-    struct FailedElsewhere
-    {
-      ExitStatus status;
-    };
-
-
     struct Failure
     {
       ExitStatus  status;
       std::string sentence;
+    };
+
+
+    /// A failure of one rank as the others see it.
+    struct FailedElsewhere
+    {
+      Failure failure;
     };
 
 
@@ -83,7 +83,7 @@ namespace Morsel
         }
       catch (const FailedElsewhere &error)
         {
-          return {error.status, ""};
+          return error.failure;
         }
       catch (const dealii::ExceptionBase &error)
         {
@@ -205,6 +205,42 @@ namespace Morsel
     if (exception)
       std::rethrow_exception(exception);
     if (status != static_cast<int>(ExitStatus::done))
-      throw FailedElsewhere{static_cast<ExitStatus>(status)};
+      throw FailedElsewhere{{static_cast<ExitStatus>(status), ""}};
+  }
+
+
+  void
+  run_on_all_ranks(const MPI_Comm               communicator,
+                   const std::function<void()> &work)
+  {
+    Failure            failure{ExitStatus::done, ""};
+    std::exception_ptr exception;
+    try
+      {
+        work();
+      }
+    catch (...)
+      {
+        exception = std::current_exception();
+        failure   = describe_current_exception();
+      }
+    const unsigned int n_ranks =
+        dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int speaker = dealii::Utilities::MPI::min(
+        exception ? dealii::Utilities::MPI::this_mpi_process(communicator)
+                  : n_ranks,
+        communicator);
+    if (speaker == n_ranks)
+      return;
+    int status = static_cast<int>(failure.status);
+    int length = failure.sentence.size();
+    MPI_Bcast(&status, 1, MPI_INT, speaker, communicator);
+    MPI_Bcast(&length, 1, MPI_INT, speaker, communicator);
+    std::string sentence = failure.sentence;
+    sentence.resize(length);
+    MPI_Bcast(sentence.data(), length, MPI_CHAR, speaker, communicator);
+    if (exception)
+      std::rethrow_exception(exception);
+    throw FailedElsewhere{{static_cast<ExitStatus>(status), sentence}};
   }
 } // namespace Morsel

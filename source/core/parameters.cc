@@ -296,9 +296,10 @@ namespace Morsel
         const std::size_t dots   = pattern.find("...", length);
         const std::string count =
             length == std::string::npos || dots == std::string::npos
-                ? ""
-                : pattern.substr(length + 10, dots - length - 10) + " ";
-        return count + "numbers separated by commas";
+                ? "0"
+                : pattern.substr(length + 10, dots - length - 10);
+        return (count == "0" ? "" : count + " ") +
+               "numbers separated by commas";
       }
     if (starts_with("[List"))
       return "a list separated by commas";

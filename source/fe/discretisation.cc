@@ -28,6 +28,15 @@ namespace Morsel::FE
                       degree,
                       "Of displacement and jump [1].",
                       Patterns::Integer(1, 8));
+    prm.add_parameter("Degree drop",
+                      degree_drop,
+                      "What the degree loses with each refinement level, "
+                      "rounded down: grading in h and p [1].",
+                      Patterns::Double(0., 4.));
+    prm.add_parameter("Smallest degree",
+                      smallest_degree,
+                      "Where the degree's drop ends [1].",
+                      Patterns::Integer(1, 8));
     prm.add_parameter("Tip degree",
                       tip_degree,
                       "Of the multipliers of the tip functions [1].",
@@ -63,8 +72,10 @@ namespace Morsel::FE
                       Patterns::Double(0.01, 1.));
     prm.add_parameter("Solver",
                       solver,
-                      "'multifrontal' (Cholesky by elements) or 'umfpack'.",
-                      Patterns::Selection("multifrontal|umfpack"));
+                      "'multifrontal' (Cholesky by elements, on the first "
+                      "rank), 'iterative' (conjugate gradients; for meshes "
+                      "that do not fit one rank) or 'umfpack' (one rank).",
+                      Patterns::Selection("multifrontal|iterative|umfpack"));
     prm.leave_subsection();
   }
 } // namespace Morsel::FE

@@ -1,6 +1,7 @@
 #include <morsel/core/errors.h>
 #include <morsel/fe/cell_functions.h>
 #include <morsel/fe/elastic_problem.h>
+#include <morsel/fe/multifrontal.h>
 
 #include <deal.II/base/timer.h>
 
@@ -173,12 +174,16 @@ namespace Morsel::FE
                           vi * functions.values()(p, n.function[on_face[j]]);
                 }
             }
+          // Traces of enrichments may be dependent but for round-off.
+          e.matrix.diagonal() *= 1. + regularisation;
           touched.insert(e.dofs.begin(), e.dofs.end());
           elements.push_back(std::move(e));
         }
     Multifrontal          projection;
-    const Eigen::VectorXd x =
-        projection.solve(std::move(elements), space.get_dof_handler().n_dofs());
+    const unsigned int    n_dofs = space.get_dof_handler().n_dofs();
+    const Eigen::VectorXd rhs    = assemble_rhs(elements, n_dofs);
+    projection.factorise(std::move(elements), n_dofs);
+    const Eigen::VectorXd x = projection.solve(rhs);
     for (const unsigned int d : touched)
       prescribed[d] = x(d);
   }
@@ -340,9 +345,11 @@ namespace Morsel::FE
   {
     report                 = SolveReport();
     const auto constraints = make_constraints();
-    Solution   solution    = kind == SolverKind::multifrontal
-                                 ? solve_multifrontal(constraints)
-                                 : solve_umfpack(constraints);
+    report.n_dofs          = n_free_dofs(constraints);
+    Solution solution =
+        kind == SolverKind::multifrontal ? solve_multifrontal(constraints)
+        : kind == SolverKind::iterative  ? solve_iterative(constraints)
+                                         : solve_umfpack(constraints);
     if (!std::isfinite(solution.l2_norm()))
       throw NumericalError("The displacement is not finite: the body, or a "
                            "part that a crack cuts off, is not held.");

@@ -1,6 +1,10 @@
 #include <morsel/fe/cell_functions.h>
 #include <morsel/fe/plate_problem.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
 namespace Morsel::FE
 {
   using namespace dealii;
@@ -115,6 +119,34 @@ namespace Morsel::FE
     for (float &value : squares)
       value = std::sqrt(value);
     return squares;
+  }
+
+
+  void
+  mark_largest(Triangulation<2>    &triangulation,
+               const Vector<float> &errors,
+               const double         share)
+  {
+    // Errors of one cell differ between ranks by the solver's tolerance and
+    // by the rounding to float.
+    constexpr float    round_off = 1e-6f;
+    std::vector<float> mine, all;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        mine.push_back(errors(cell->active_cell_index()));
+    for (const auto &part :
+         Utilities::MPI::all_gather(triangulation.get_communicator(), mine))
+      all.insert(all.end(), part.begin(), part.end());
+    std::sort(all.begin(), all.end(), std::greater<float>());
+    std::size_t n = std::clamp<std::size_t>(
+        std::llround(share * all.size()), 1, all.size());
+    while (n < all.size() && all[n] >= (1.f - round_off) * all[n - 1])
+      ++n;
+    const float smallest = (1.f - 0.5f * round_off) * all[n - 1];
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() &&
+          errors(cell->active_cell_index()) >= smallest)
+        cell->set_refine_flag();
   }
 
 

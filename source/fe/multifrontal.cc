@@ -55,10 +55,7 @@ namespace Morsel::FE
     if (end - begin == 1)
       {
         ElementSystem &e = elements[position[begin]];
-        return eliminate(
-            {std::move(e.dofs), std::move(e.matrix), std::move(e.rhs)},
-            begin,
-            end);
+        return eliminate({std::move(e.dofs), std::move(e.matrix)}, begin, end);
       }
     const unsigned int middle = (begin + end) / 2;
     Front              a      = factor(begin, middle);
@@ -90,16 +87,11 @@ namespace Morsel::FE
 
     const unsigned int n = merged.dofs.size(), na = a.dofs.size();
     merged.matrix                       = Eigen::MatrixXd::Zero(n, n);
-    merged.rhs                          = Eigen::VectorXd::Zero(n);
     merged.matrix.topLeftCorner(na, na) = a.matrix;
-    merged.rhs.head(na)                 = a.rhs;
     for (unsigned int j = 0; j < to.size(); ++j)
-      {
-        merged.rhs(to[j]) += b.rhs(j);
-        for (unsigned int i = j; i < to.size(); ++i)
-          merged.matrix(std::max(to[i], to[j]), std::min(to[i], to[j])) +=
-              b.matrix(i, j);
-      }
+      for (unsigned int i = j; i < to.size(); ++i)
+        merged.matrix(std::max(to[i], to[j]), std::min(to[i], to[j])) +=
+            b.matrix(i, j);
     a = Front();
     b = Front();
     return merged;
@@ -127,7 +119,6 @@ namespace Morsel::FE
       return std::move(front);
 
     Eigen::MatrixXd A(n, n);
-    Eigen::VectorXd f(n);
     Factor          factor;
     factor.dofs.resize(n);
     factor.n_eliminated = n_eliminated;
@@ -135,7 +126,6 @@ namespace Morsel::FE
       {
         const unsigned int pj = permutation[j];
         factor.dofs[j]        = front.dofs[pj];
-        f(j)                  = front.rhs(pj);
         for (unsigned int i = j; i < n; ++i)
           {
             const unsigned int pi = permutation[i];
@@ -159,7 +149,6 @@ namespace Morsel::FE
                 ++n_dropped;
                 A.col(c).tail(n - c).setZero();
                 pivot = 1.;
-                f(c)  = 0.;
                 continue;
               }
             smallest_pivot = std::min(smallest_pivot, pivot / scale);
@@ -172,7 +161,6 @@ namespace Morsel::FE
         const unsigned int rest = n - k - w;
         const auto         L =
             A.block(k, k, w, w).template triangularView<Eigen::Lower>();
-        L.solveInPlace(f.segment(k, w));
         if (rest == 0)
           continue;
         auto below = A.block(k + w, k, rest, w);
@@ -183,36 +171,49 @@ namespace Morsel::FE
         A.block(k + w, k + w, rest, rest)
             .template selfadjointView<Eigen::Lower>()
             .rankUpdate(below, -1.);
-        f.tail(rest) -= below * f.segment(k, w);
       }
 
-    // The unknown of a dropped pivot is zero in the back substitution.
-    for (unsigned int c = 0; c < n_eliminated; ++c)
-      if (factor.dropped[c])
-        f(c) = 0.;
     const unsigned int rest = n - n_eliminated;
     Front              schur;
     schur.dofs.assign(factor.dofs.begin() + n_eliminated, factor.dofs.end());
     schur.matrix   = A.bottomRightCorner(rest, rest);
-    schur.rhs      = f.tail(rest);
     factor.columns = A.leftCols(n_eliminated);
-    factor.rhs     = f.head(n_eliminated);
     factors.push_back(std::move(factor));
     return schur;
   }
 
 
-  void
-  Multifrontal::back_substitute(Eigen::VectorXd &x) const
+  Eigen::VectorXd
+  Multifrontal::solve(const Eigen::VectorXd &rhs) const
   {
+    Eigen::VectorXd x = rhs;
+    Eigen::VectorXd rest;
+    for (const Factor &factor : factors)
+      {
+        const unsigned int m = factor.n_eliminated, n = factor.dofs.size();
+        Eigen::VectorXd    y(m);
+        for (unsigned int i = 0; i < m; ++i)
+          y(i) = x(factor.dofs[i]);
+        factor.columns.topRows(m)
+            .template triangularView<Eigen::Lower>()
+            .solveInPlace(y);
+        // The unknown of a dropped pivot is zero.
+        for (unsigned int i = 0; i < m; ++i)
+          x(factor.dofs[i]) = factor.dropped[i] ? 0. : y(i);
+        rest = factor.columns.bottomRows(n - m) * y;
+        for (unsigned int i = m; i < n; ++i)
+          x(factor.dofs[i]) -= rest(i - m);
+      }
     for (auto factor = factors.rbegin(); factor != factors.rend(); ++factor)
       {
         const unsigned int m = factor->n_eliminated, n = factor->dofs.size();
-        Eigen::VectorXd    rest(n - m);
+        Eigen::VectorXd    y(m);
+        rest.resize(n - m);
+        for (unsigned int i = 0; i < m; ++i)
+          y(i) = x(factor->dofs[i]);
         for (unsigned int i = m; i < n; ++i)
           rest(i - m) = x(factor->dofs[i]);
-        Eigen::VectorXd y =
-            factor->rhs - factor->columns.bottomRows(n - m).transpose() * rest;
+        y -= factor->columns.bottomRows(n - m).transpose() * rest;
         factor->columns.topRows(m)
             .template triangularView<Eigen::Lower>()
             .transpose()
@@ -220,12 +221,16 @@ namespace Morsel::FE
         for (unsigned int i = 0; i < m; ++i)
           x(factor->dofs[i]) = factor->dropped[i] ? 0. : y(i);
       }
+    for (unsigned int i = 0; i < first.size(); ++i)
+      if (first[i] == nowhere)
+        x(i) = 0.;
+    return x;
   }
 
 
-  Eigen::VectorXd
-  Multifrontal::solve(std::vector<ElementSystem> &&systems,
-                      const unsigned int           n_dofs)
+  void
+  Multifrontal::factorise(std::vector<ElementSystem> &&systems,
+                          const unsigned int           n_dofs)
   {
     elements       = std::move(systems);
     n_dropped      = 0;
@@ -250,14 +255,8 @@ namespace Morsel::FE
             diagonal[e.dofs[i]] += e.matrix(i, i);
           }
       }
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(n_dofs);
     if (!elements.empty())
-      {
-        factor(0, elements.size());
-        back_substitute(x);
-      }
-    factors.clear();
+      factor(0, elements.size());
     elements.clear();
-    return x;
   }
 } // namespace Morsel::FE

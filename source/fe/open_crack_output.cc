@@ -60,7 +60,7 @@ namespace Morsel::FE
                  const std::vector<TipResult>          &results,
                  const std::vector<Fracture::CrackTip> &tips)
     {
-      constexpr double parts_per_ring = 20.;
+      constexpr double parts_per_ring = 12.;
       double           divisions      = elsewhere;
       for (const TipResult &r : results)
         {

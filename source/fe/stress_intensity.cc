@@ -14,7 +14,10 @@ namespace Morsel::FE
   namespace
   {
     /// Quadrature over the part of a cell that the rings reach. The weight of
-    /// a ring varies over its width: larger cells are divided.
+    /// a ring varies over its width and has kinks of its fourth derivative at
+    /// both radii: larger cells are divided. With parts of 0.4 of the width
+    /// and six points beyond the degree the rule costs K less than 1e-8 (with
+    /// 0.6 and four it cost 3e-6).
     CellQuadrature
     ring_quadrature(const XFEMSpace                    &space,
                     const DoFHandler<2>::cell_iterator &cell,
@@ -26,7 +29,7 @@ namespace Morsel::FE
     {
       const CellEnrichment &e = space.get_enrichment(cell->active_cell_index());
       const unsigned int    n =
-          space.get_numbering(cell->active_fe_index()).degree + 4;
+          space.get_numbering(cell->active_fe_index()).degree + 6;
       const unsigned int k =
           std::ceil(map.diameter() / std::sqrt(2.) / resolution);
       CellQuadrature all;
@@ -63,16 +66,31 @@ namespace Morsel::FE
     }
 
 
-    /// Edge length of the smallest cell about a point [m].
-    double
-    cell_size_at(const Triangulation<2> &triangulation, const Point<2> &p)
+    /// What resolves the field about a point: edge length of the smallest cell
+    /// there [m], and the highest degree.
+    struct Resolution
     {
-      double size = std::numeric_limits<double>::max();
-      for (const auto &cell : triangulation.active_cell_iterators())
+      double       cell_size = std::numeric_limits<double>::max();
+      unsigned int degree    = 1;
+    };
+
+    Resolution
+    resolution_at(const XFEMSpace &space, const Point<2> &p)
+    {
+      Resolution local;
+      for (const auto &cell : space.get_dof_handler().active_cell_iterators())
         if (cell->is_locally_owned() &&
             cell->center().distance(p) < cell->diameter())
-          size = std::min(size, cell->diameter() / std::sqrt(2.));
-      return Utilities::MPI::min(size, triangulation.get_communicator());
+          {
+            local.cell_size =
+                std::min(local.cell_size, cell->diameter() / std::sqrt(2.));
+            local.degree =
+                std::max(local.degree,
+                         space.get_numbering(cell->active_fe_index()).degree);
+          }
+      const MPI_Comm communicator = space.get_dof_handler().get_communicator();
+      return {Utilities::MPI::min(local.cell_size, communicator),
+              Utilities::MPI::max(local.degree, communicator)};
     }
 
 
@@ -89,9 +107,68 @@ namespace Morsel::FE
     }
 
 
+    /// Adds this rank's cells to the integrals.
+    void
+    add_cells(const ElasticProblem                       &problem,
+              const ElasticProblem::Solution             &solution,
+              const Fracture::CrackTip                   &tip,
+              std::vector<Fracture::InteractionIntegral> &integrals)
+    {
+      const XFEMSpace &space = problem.get_space();
+      double           reach = 0., inside = 1e300, resolution = 1e300;
+      for (const auto &integral : integrals)
+        {
+          const Fracture::Ring &ring = integral.get_ring();
+          reach                      = std::max(reach, ring.outer_radius);
+          inside                     = std::min(inside, ring.inner_radius);
+          resolution                 = std::min(resolution,
+                                0.4 * (ring.outer_radius - ring.inner_radius));
+        }
+
+      CellFunctions                        functions(space);
+      std::vector<types::global_dof_index> dofs;
+      std::vector<double>                  local;
+      for (const auto &cell : space.get_dof_handler().active_cell_iterators())
+        {
+          if (!cell->is_locally_owned())
+            continue;
+          const double r = cell->center().distance(tip.position);
+          const double d = 0.5 * cell->diameter();
+          if (r - d > reach || r + d < inside)
+            continue;
+          const QuadMap        map = make_map(cell);
+          const CellQuadrature q =
+              ring_quadrature(space, cell, map, tip, inside, reach, resolution);
+          if (q.points.empty())
+            continue;
+          dofs.resize(cell->get_fe().n_dofs_per_cell());
+          local.resize(dofs.size());
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            local[i] = solution(dofs[i]);
+          const auto samples =
+              functions.sample(cell,
+                               map,
+                               functions.coefficients(cell, local),
+                               q.points,
+                               q.reference);
+          for (unsigned int p = 0; p < q.points.size(); ++p)
+            {
+              const auto sigma =
+                  problem.get_material().stress(samples[p].gradient);
+              for (auto &integral : integrals)
+                integral.add(
+                    q.points[p], samples[p].gradient, sigma, q.weights[p]);
+            }
+        }
+    }
+
+
     /// Adds the faces' part of J_2 to the integrals, whose rings grow in
     /// their order. The energies of the two faces differ like r^(-1/2):
-    /// Gauss points in the square root of the distance.
+    /// Gauss points in the square root of the distance. They keep a small angle
+    /// off the faces, not a small distance: near the tip the energy's odd part
+    /// grows like the angle over r.
     void
     add_crack_faces(const ElasticProblem                       &problem,
                     const ElasticProblem::Solution             &solution,
@@ -114,7 +191,7 @@ namespace Morsel::FE
       for (const double side : {1., -1.})
         for (const double r : distances)
           points.push_back(tip.position - r * tip.direction +
-                           side * 1e-6 * reach * normal);
+                           side * 1e-6 * r * normal);
       const auto samples = sample_points(problem, solution, points);
       // Every rank has all values: one of them adds.
       if (Utilities::MPI::this_mpi_process(solution.get_mpi_communicator()) > 0)
@@ -193,8 +270,8 @@ namespace Morsel::FE
     Fracture::check_ring_radius(t, space.get_cracks(), to_boundary, radius);
     const double limit =
         Fracture::largest_ring_radius(t, space.get_cracks(), to_boundary);
-    const double        cell_size = cell_size_at(triangulation, t.position);
-    const BlendingLayer blending  = find_blending_layer(space, tip);
+    const auto [cell_size, degree] = resolution_at(space, t.position);
+    const BlendingLayer blending   = find_blending_layer(space, tip);
 
     // Clear of what they must not touch; inside the blending layer if the
     // rings are then still wide enough to pay.
@@ -213,17 +290,19 @@ namespace Morsel::FE
       }
 
     std::ostringstream remark;
-    if (largest < 2. * cell_size)
+    // Measured on M1: wider rings agree to 1e-3 (degree 1) or 1e-4.
+    if (degree * largest < 4. * cell_size)
       remark << "The rings at the tip (" << t.position << ") m are only "
-             << largest / cell_size << " cells wide: refine towards the tip.";
+             << largest / cell_size << " cells of degree " << degree
+             << " wide: refine towards the tip.";
     if (result.n_rings_on_blending_layer > 0 && lowest_degree(space) == 1)
       remark << (remark.str().empty() ? "" : " ") << "Of the "
              << result.rings.size() << " rings at the tip (" << t.position
              << ") m " << result.n_rings_on_blending_layer
              << " overlap the layer from " << blending.inner_radius << " to "
              << blending.outer_radius
-             << " m in which the tip functions fade out, which at degree 1 "
-                "about doubles the error: choose a larger enrichment radius, a "
+             << " m in which the tip functions fade out, where K depends on "
+                "the ring at degree 1: choose a larger enrichment radius, a "
                 "finer mesh, or degree 2.";
     result.remark = remark.str();
     return result;
@@ -239,53 +318,9 @@ namespace Morsel::FE
     const XFEMSpace          &space = problem.get_space();
     const Fracture::CrackTip &tip   = space.get_tips()[result.tip];
     std::vector<Fracture::InteractionIntegral> integrals;
-    double reach = 0., inside = 1e300, resolution = 1e300;
     for (const Fracture::Ring &ring : result.rings)
-      {
-        integrals.emplace_back(tip, problem.get_material(), ring);
-        reach  = std::max(reach, ring.outer_radius);
-        inside = std::min(inside, ring.inner_radius);
-        resolution =
-            std::min(resolution, 0.6 * (ring.outer_radius - ring.inner_radius));
-      }
-
-    CellFunctions                        functions(space);
-    std::vector<types::global_dof_index> dofs;
-    std::vector<double>                  local;
-    for (const auto &cell : space.get_dof_handler().active_cell_iterators())
-      {
-        if (!cell->is_locally_owned())
-          continue;
-        const double r = cell->center().distance(tip.position);
-        const double d = 0.5 * cell->diameter();
-        if (r - d > reach || r + d < inside)
-          continue;
-        const QuadMap        map = make_map(cell);
-        const CellQuadrature q =
-            ring_quadrature(space, cell, map, tip, inside, reach, resolution);
-        if (q.points.empty())
-          continue;
-        dofs.resize(cell->get_fe().n_dofs_per_cell());
-        local.resize(dofs.size());
-        cell->get_dof_indices(dofs);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          local[i] = solution(dofs[i]);
-        const auto samples =
-            functions.sample(cell,
-                             map,
-                             functions.coefficients(cell, local),
-                             q.points,
-                             q.reference);
-        for (unsigned int p = 0; p < q.points.size(); ++p)
-          {
-            const auto sigma =
-                problem.get_material().stress(samples[p].gradient);
-            for (auto &integral : integrals)
-              integral.add(
-                  q.points[p], samples[p].gradient, sigma, q.weights[p]);
-          }
-      }
-
+      integrals.emplace_back(tip, problem.get_material(), ring);
+    add_cells(problem, solution, tip, integrals);
     if (both_components)
       add_crack_faces(problem, solution, tip, integrals);
     const MPI_Comm communicator = solution.get_mpi_communicator();

@@ -1,6 +1,7 @@
 // Which vertices and cells the cracks enrich: the geometric half of the
 // XFEM space.
 #include <morsel/core/errors.h>
+#include <morsel/core/failure.h>
 #include <morsel/fe/cut_quadrature.h>
 #include <morsel/fe/xfem_space.h>
 
@@ -249,7 +250,16 @@ namespace Morsel::FE
             tips_of_cell[index].push_back(t);
       }
     assign_slots(jumps, tips_of_cell);
+    run_on_all_ranks(triangulation->get_communicator(),
+                     [&] { enrich_cells(jumps, tips_of_cell); });
+  }
 
+
+  void
+  XFEMSpace::enrich_cells(const std::vector<std::vector<int>> &jumps,
+                          const std::vector<std::vector<int>> &tips_of_cell)
+  {
+    std::vector<types::global_dof_index> dofs(4);
     for (const auto &cell : vertex_handler.active_cell_iterators())
       {
         if (cell->is_artificial())
@@ -308,6 +318,40 @@ namespace Morsel::FE
                 cracks[c].signed_distance(Point<2>(center)) < 0. ? -1. : 1.;
           }
       }
+  }
+
+
+  std::vector<unsigned int>
+  XFEMSpace::raise_degrees(std::vector<unsigned int> degrees) const
+  {
+    // At a hanging face whose finer side has the lower degree the constraints
+    // go through the lowest common element of the collection, which has
+    // nothing in a slot that one of the finer cells lacks: they would tie
+    // enrichments to zero. Such faces are kept clear of them.
+    const auto largest = std::max_element(degrees.begin(), degrees.end());
+    const unsigned int highest =
+        Utilities::MPI::max(largest == degrees.end() ? 0u : *largest,
+                            triangulation->get_communicator());
+    const auto enriched = [&](const auto &cell) {
+      return enrichments[cell->active_cell_index()].enriched();
+    };
+    for (const auto &cell : triangulation->active_cell_iterators())
+      {
+        if (!cell->is_locally_owned())
+          continue;
+        bool raise = enriched(cell);
+        for (const unsigned int f : cell->face_indices())
+          if (cell->at_boundary(f))
+            continue;
+          else if (cell->face(f)->has_children())
+            for (unsigned int c = 0; c < cell->face(f)->n_children(); ++c)
+              raise = raise || enriched(cell->neighbor_child_on_subface(f, c));
+          else
+            raise = raise || enriched(cell->neighbor(f));
+        if (raise)
+          degrees[cell->active_cell_index()] = highest;
+      }
+    return degrees;
   }
 
 

@@ -204,38 +204,40 @@ namespace Morsel::Fracture
     }
 
 
-    /// Refuses parts, divided off by cracks from boundary to boundary, that
-    /// can move. Cracks do not meet, so every one of them alone divides the
-    /// plate, and a part is told by the side of each crack that it lies on.
-    /// Every part has stretches of the boundary, between corners and mouths.
-    void
-    check_parts(const PlateScene &plate, const std::vector<Crack> &cracks)
+    /// A part of the plate that cracks from boundary to boundary divide off.
+    struct Part
     {
+      Point<2> place; ///< on its boundary
+      bool     held[2] = {false, false};
+    };
+
+
+    /// Cracks do not meet, so each of them alone divides the plate, and a
+    /// part is told by the side of each crack that it lies on. Every part has
+    /// stretches of the boundary, between corners and mouths.
+    std::map<std::vector<bool>, Part>
+    find_parts(const PlateScene &plate, const std::vector<Crack> &cracks)
+    {
+      const auto          corner = corners(plate);
+      const Tensor<1, 2>  size   = plate.upper_corner - plate.lower_corner;
+      const double        round  = 2. * (size[0] + size[1]);
+      std::vector<double> stretches(1, round);
+      for (const auto &[s, p] : corner)
+        stretches.push_back(s);
       std::vector<std::vector<Point<2>>> beside;
-      std::vector<double>                stretches;
       for (const Crack &crack : cracks)
         if (!crack.has_tip(0) && !crack.has_tip(1))
           {
-            beside.push_back(part_beside(plate, crack));
-            for (const Point<2> &mouth :
-                 {crack.get_vertices().front(), crack.get_vertices().back()})
-              stretches.push_back(along_boundary(plate, mouth));
+            const Crack inside =
+                crack.with_extended_mouths(-mouth_overhang(plate));
+            beside.push_back(part_beside(plate, inside));
+            stretches.push_back(
+                along_boundary(plate, inside.get_vertices().front()));
+            stretches.push_back(
+                along_boundary(plate, inside.get_vertices().back()));
           }
-      if (beside.empty())
-        return;
-      const auto corner = corners(plate);
-      for (const auto &[s, p] : corner)
-        stretches.push_back(s);
-      const Tensor<1, 2> size  = plate.upper_corner - plate.lower_corner;
-      const double       round = 2. * (size[0] + size[1]);
-      stretches.push_back(round);
       std::sort(stretches.begin(), stretches.end());
 
-      struct Part
-      {
-        Point<2> place;
-        bool     held[2] = {false, false};
-      };
       std::map<std::vector<bool>, Part> parts;
       constexpr unsigned int            side_of_edge[4] = {2, 1, 3, 0};
       for (unsigned int i = 0; i + 1 < stretches.size(); ++i)
@@ -250,17 +252,28 @@ namespace Morsel::Fracture
           const Point<2>     from  = corner[edge].second;
           const Tensor<1, 2> along = corner[(edge + 1) % 4].second - from;
           const Tensor<1, 2> unit  = along / along.norm();
-          const Point<2>     place =
-              from + (middle - corner[edge].first) * unit +
-              1e-6 * length * Tensor<1, 2>({-unit[1], unit[0]});
+          const Point<2>    place = from + (middle - corner[edge].first) * unit;
           std::vector<bool> key;
           for (const auto &polygon : beside)
-            key.push_back(contains(polygon, place));
+            key.push_back(contains(
+                polygon,
+                place + 1e-6 * length * Tensor<1, 2>({-unit[1], unit[0]})));
           Part &part = parts[key];
           part.place = place;
           for (unsigned int d = 0; d < 2; ++d)
             part.held[d] = part.held[d] || holds(plate, side_of_edge[edge], d);
         }
+      return parts;
+    }
+
+
+    /// Refuses parts that can move; pins hold a plate in one piece only.
+    void
+    check_parts(const PlateScene &plate, const std::vector<Crack> &cracks)
+    {
+      const auto parts = find_parts(plate, cracks);
+      if (parts.size() < 2)
+        return;
       for (const auto &[key, part] : parts)
         for (unsigned int d = 0; d < 2; ++d)
           if (!part.held[d])

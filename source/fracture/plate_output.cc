@@ -179,7 +179,7 @@ namespace Morsel::Fracture
                  const std::vector<TipResult> &results,
                  const FieldSampler           &sample)
   {
-    constexpr unsigned int n_ahead = 60, n_around = 120;
+    constexpr unsigned int n_ahead = 60, n_circles = 24, n_around = 120;
     struct Place
     {
       unsigned int result;
@@ -193,10 +193,12 @@ namespace Morsel::Fracture
         for (unsigned int i = 1; i <= n_ahead; ++i)
           places.push_back(
               {k, 0.999 * reach * std::pow(i / double(n_ahead), 2), 0.});
-        // Midpoints: none lies on the crack.
-        for (unsigned int i = 0; i < n_around; ++i)
-          places.push_back(
-              {k, 0.2 * reach, numbers::PI * ((2. * i + 1.) / n_around - 1.)});
+        // Angles between the ends: none lies on the crack.
+        for (unsigned int c = 1; c <= n_circles; ++c)
+          for (unsigned int i = 0; i < n_around; ++i)
+            places.push_back({k,
+                              0.4 * reach * std::pow(c / double(n_circles), 2),
+                              numbers::PI * ((2. * i + 1.) / n_around - 1.)});
       }
     for (const Place &place : places)
       points.push_back(

@@ -96,6 +96,103 @@ namespace Morsel::Fracture
                          " runs along the plate's boundary; a crack must run "
                          "inside the plate.");
     }
+
+
+    /// Section "Cracks".
+    void
+    declare_cracks(PlateScene &plate, ParameterHandler &prm)
+    {
+      prm.enter_subsection("Cracks");
+      prm.add_parameter("Form",
+                        plate.crack_form,
+                        "'paths': as in Paths; 'inclined': one straight crack "
+                        "by centre, half length and angle.",
+                        Patterns::Selection("paths|inclined"));
+      prm.add_parameter("Paths",
+                        plate.paths,
+                        "Cracks as 'x, y > x, y > ...; x, y > ...' [m]; an end "
+                        "on the plate's boundary is a mouth, any other a tip. "
+                        "Without any the plate is whole.");
+      prm.add_parameter(
+          "Centre", plate.centre, "Of the inclined crack: x, y [m].");
+      prm.add_parameter("Half length",
+                        plate.half_length,
+                        "Of the inclined crack [m].",
+                        Patterns::Double(0.));
+      prm.add_parameter("Angle",
+                        plate.angle,
+                        "Of the inclined crack, from the x axis [degrees].",
+                        Patterns::Double(-180., 180.));
+      prm.leave_subsection();
+    }
+
+
+    /// Section "Boundary".
+    void
+    declare_boundary(PlateScene &plate, ParameterHandler &prm)
+    {
+      prm.enter_subsection("Boundary");
+      for (unsigned int side = 0; side < 4; ++side)
+        {
+          prm.add_parameter(
+              std::string(side_names[side]) + " support",
+              plate.support[side],
+              "'clamp': no displacement; 'roller': none normal to "
+              "the side; 'displacement': the one given below; "
+              "'free'. Rigid motions that no support holds are "
+              "held by pins in the right corners.",
+              Patterns::Selection("free|clamp|roller|displacement"));
+          prm.add_parameter(std::string(side_names[side]) + " traction",
+                            plate.traction[side],
+                            "x, y [Pa].");
+          prm.add_parameter(std::string(side_names[side]) + " displacement",
+                            plate.displacement[side],
+                            "x, y of a side whose support is 'displacement' "
+                            "[m].");
+        }
+      prm.leave_subsection();
+    }
+
+
+    /// Section "Stress intensity".
+    void
+    declare_stress_intensity(PlateScene &plate, ParameterHandler &prm)
+    {
+      prm.enter_subsection("Stress intensity");
+      prm.add_parameter("Ring radius",
+                        plate.ring_radius,
+                        "Outer radius of the largest ring [m]; 0: the largest "
+                        "that fits.",
+                        Patterns::Double(0.));
+      prm.add_parameter("Energy growth",
+                        plate.energy_growth,
+                        "Growth da of the energy route T3-47 [m]; 0: off. Its "
+                        "bias falls with da, noise grows with 1/da.",
+                        Patterns::Double(0.));
+      prm.add_parameter("Two directions",
+                        plate.two_directions,
+                        "K_I and K_II by the thesis's mixed-mode recipe T3-15 "
+                        "from the two components of the J vector, too.");
+      prm.add_parameter("Formula",
+                        plate.formula,
+                        "Handbook formula to compare with: 'edge crack in "
+                        "tension' (T3-48) for a straight crack from the left "
+                        "side along x.",
+                        Patterns::Selection("none|edge crack in tension"));
+      prm.add_parameter(
+          "Reference I",
+          plate.reference_I,
+          "K_I expected at each tip, in their order, separated by "
+          "commas [Pa sqrt(m)]; 0: none.",
+          Patterns::List(Patterns::Double()));
+      prm.add_parameter(
+          "Reference II",
+          plate.reference_II,
+          "K_II expected at each tip, in their order, separated by "
+          "commas [Pa sqrt(m)]; 0: none.",
+          Patterns::List(Patterns::Double()));
+      prm.leave_subsection();
+    }
   } // namespace
 
 
@@ -169,6 +266,13 @@ namespace Morsel::Fracture
   }
 
 
+  double
+  mouth_overhang(const PlateScene &plate)
+  {
+    return 0.01 * (plate.upper_corner - plate.lower_corner).norm();
+  }
+
+
   std::vector<Crack>
   make_cracks(const PlateScene &plate)
   {
@@ -190,7 +294,7 @@ namespace Morsel::Fracture
         cracks.push_back(crack);
       }
     for (Crack &crack : cracks)
-      crack = crack.with_extended_mouths(0.01 * size);
+      crack = crack.with_extended_mouths(mouth_overhang(plate));
     return cracks;
   }
 
@@ -221,81 +325,9 @@ namespace Morsel::Fracture
         "Plane stress", plane_stress, "A thin plate instead of plane strain.");
     prm.leave_subsection();
 
-    prm.enter_subsection("Cracks");
-    prm.add_parameter("Form",
-                      crack_form,
-                      "'paths': as in Paths; 'inclined': one straight crack "
-                      "by centre, half length and angle.",
-                      Patterns::Selection("paths|inclined"));
-    prm.add_parameter("Paths",
-                      paths,
-                      "Cracks as 'x, y > x, y > ...; x, y > ...' [m]; an end "
-                      "on the plate's boundary is a mouth, any other a tip. "
-                      "Without any the plate is whole.");
-    prm.add_parameter("Centre", centre, "Of the inclined crack: x, y [m].");
-    prm.add_parameter("Half length",
-                      half_length,
-                      "Of the inclined crack [m].",
-                      Patterns::Double(0.));
-    prm.add_parameter("Angle",
-                      angle,
-                      "Of the inclined crack, from the x axis [degrees].",
-                      Patterns::Double(-180., 180.));
-    prm.leave_subsection();
-
-    prm.enter_subsection("Boundary");
-    for (unsigned int side = 0; side < 4; ++side)
-      {
-        prm.add_parameter(
-            std::string(side_names[side]) + " support",
-            support[side],
-            "'clamp': no displacement; 'roller': none normal to "
-            "the side; 'displacement': the one given below; "
-            "'free'. Rigid motions that no support holds are "
-            "held by pins in the right corners.",
-            Patterns::Selection("free|clamp|roller|displacement"));
-        prm.add_parameter(std::string(side_names[side]) + " traction",
-                          traction[side],
-                          "x, y [Pa].");
-        prm.add_parameter(std::string(side_names[side]) + " displacement",
-                          displacement[side],
-                          "x, y of a side whose support is 'displacement' "
-                          "[m].");
-      }
-    prm.leave_subsection();
-
-    prm.enter_subsection("Stress intensity");
-    prm.add_parameter("Ring radius",
-                      ring_radius,
-                      "Outer radius of the largest ring [m]; 0: the largest "
-                      "that fits.",
-                      Patterns::Double(0.));
-    prm.add_parameter("Energy growth",
-                      energy_growth,
-                      "Growth da of the energy route T3-47 [m]; 0: off. Its "
-                      "bias falls with da, noise grows with 1/da.",
-                      Patterns::Double(0.));
-    prm.add_parameter("Two directions",
-                      two_directions,
-                      "K_I and K_II by the thesis's mixed-mode recipe T3-15 "
-                      "from the two components of the J vector, too.");
-    prm.add_parameter("Formula",
-                      formula,
-                      "Handbook formula to compare with: 'edge crack in "
-                      "tension' (T3-48) for a straight crack from the left "
-                      "side along x.",
-                      Patterns::Selection("none|edge crack in tension"));
-    prm.add_parameter("Reference I",
-                      reference_I,
-                      "K_I expected at each tip, in their order, separated by "
-                      "commas [Pa sqrt(m)]; 0: none.",
-                      Patterns::List(Patterns::Double()));
-    prm.add_parameter("Reference II",
-                      reference_II,
-                      "K_II expected at each tip, in their order, separated by "
-                      "commas [Pa sqrt(m)]; 0: none.",
-                      Patterns::List(Patterns::Double()));
-    prm.leave_subsection();
+    declare_cracks(*this, prm);
+    declare_boundary(*this, prm);
+    declare_stress_intensity(*this, prm);
   }
 
 

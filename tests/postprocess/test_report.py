@@ -63,7 +63,7 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(self.figures(), {"moments", "force",
                                           "stress_strain"})
 
-    def test_scene_without_particles(self):
+    def test_plate_without_fields(self):
         (self.folder / "summary.json").write_text(json.dumps({
             "stress_intensity_I": synthetic.entry(
                 663.1, "Pa sqrt(m)", "by interaction integral", 663.4)}),
@@ -71,7 +71,8 @@ class ReportTest(unittest.TestCase):
         page = self.report()
         self.assertEqual(self.figures(), set())
         self.assertIn("663.1\u202fPa √m", page)
-        self.assertIn("no particle fields", page)
+        self.assertIn("no plate that can be read", page)
+        self.assertNotIn("history.csv", page)
 
     def test_run_that_was_killed(self):
         synthetic.write_history(self.folder)

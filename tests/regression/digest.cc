@@ -8,6 +8,7 @@
 // than 1e-6 for equal, so a value is written as its mantissa and its power of
 // ten; it takes nan for equal to nan, so what is not finite fails here.
 #include <morsel/core/failure.h>
+#include <morsel/fracture_run.h>
 #include <morsel/scene/read.h>
 #include <morsel/simulation.h>
 
@@ -101,20 +102,22 @@ main(int argc, char **argv)
   return exit_status_of([&] {
     if (argc != 2)
       throw std::runtime_error("call: digest SCENE.prm");
-    const std::string  scene_file = argv[1];
-    const Scene::Scene scene      = Scene::read_scene(scene_file);
-    RunOptions         options;
-    options.output_directory = "results";
-    options.quiet            = true;
+    CommandLine command_line;
+    command_line.scene_file           = argv[1];
+    command_line.run.output_directory = "results";
+    command_line.run.quiet            = true;
 
     const FirstRank first_rank;
-    first_rank.run(
-        [&] { std::filesystem::create_directories(options.output_directory); });
-    run_simulation(scene, options);
+    first_rank.run([&] { std::filesystem::create_directories("results"); });
+    if (is_fracture_scene(command_line.scene_file, {}))
+      run_fracture_scene(command_line);
+    else
+      run_simulation(Scene::read_scene(command_line.scene_file),
+                     command_line.run);
     first_rank.run([&] {
       std::ifstream file("results/summary.json");
       std::ofstream out("output");
-      write_digest(scene_file, nlohmann::json::parse(file), out);
+      write_digest(command_line.scene_file, nlohmann::json::parse(file), out);
     });
   });
 }

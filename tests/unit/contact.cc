@@ -178,6 +178,30 @@ BOOST_AUTO_TEST_CASE(gap_law_does_not_depend_on_the_place_along_the_plate)
 }
 
 
+BOOST_AUTO_TEST_CASE(force_sets_in_without_a_step)
+{
+  // A step would make or take energy at every crossing of the range.
+  for (const char *law : {"gap penalty", "potential"})
+    {
+      const auto contact =
+          make_plate_contact(law_named(law, 0.), side_of_food());
+      Surface      surface  = plate();
+      const double in_touch = contact->stiffness() * dp;
+      double       before   = 0.;
+      for (double height = 1.6 * dp; height > 0.3 * dp; height -= 1e-3 * dp)
+        {
+          const std::vector<dealii::Point<2>> x{{1.02e-3, height}};
+          const std::vector<Motion>           motion{{0., 0., 0., 0.}};
+          const auto  &forces = contact->compute(x, motion, 1, 1e-7, surface);
+          const double force  = forces.empty() ? 0. : forces[0].force[1];
+          BOOST_REQUIRE(std::abs(force - before) < 0.01 * in_touch);
+          before = force;
+        }
+      BOOST_TEST(before > 0.);
+    }
+}
+
+
 BOOST_AUTO_TEST_CASE(friction_takes_energy_away_and_is_capped)
 {
   std::mt19937                     generator(12);

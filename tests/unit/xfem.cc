@@ -10,6 +10,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "cracked_plate.h"
+
 #include <array>
 #include <cmath>
 
@@ -23,72 +25,6 @@ namespace
   using Morsel::Fracture::Crack;
   using Morsel::Fracture::CrackTip;
   using Morsel::Fracture::ElasticPlane;
-
-  constexpr double load = 1e3; ///< [Pa]
-
-
-  /// M1: an edge crack of length a in a plate of width 10 mm. Variants: a
-  /// clamped, b traction on both ends, c rollers.
-  PlateParameters
-  edge_crack(const char   variant = 'a',
-             const double a       = 1e-3,
-             const double H       = 1e-2)
-  {
-    PlateParameters p;
-    p.upper_corner = Point<2>(1e-2, H);
-    p.cells_y      = std::lround(13 * H / 1e-2);
-    p.paths = "0, " + std::to_string(H / 2) + " > " + std::to_string(a) + ", " +
-              std::to_string(H / 2);
-    p.traction[3] = "0, 1000";
-    if (variant == 'a')
-      p.support[2] = "clamp";
-    else if (variant == 'b')
-      p.traction[2] = "0, -1000";
-    else
-      p.support[2] = "roller";
-    return p;
-  }
-
-
-  /// M2: a centre crack of half length 0.5 mm.
-  PlateParameters
-  centre_crack(const char variant, const double angle)
-  {
-    PlateParameters p = edge_crack(variant);
-    p.crack_form      = "inclined";
-    p.angle           = angle;
-    return p;
-  }
-
-
-  /// The one setting of the reference table.
-  void
-  use_table_setting(PlateParameters &p)
-  {
-    p.degree            = 4;
-    p.tip_degree        = 3;
-    p.enrichment_radius = 3.5e-4;
-    p.tip_refinements   = 2;
-  }
-
-
-  PlateResults
-  solve(const PlateParameters &parameters)
-  {
-    Triangulation<2> triangulation(
-        Triangulation<2>::limit_level_difference_at_vertices);
-    PlateProblem problem(parameters, make_cracks(parameters), triangulation);
-    return problem.run();
-  }
-
-
-  /// K_I of the first tip over sigma sqrt(pi a).
-  double
-  relative_K(const PlateParameters &parameters, const double a = 1e-3)
-  {
-    return solve(parameters).tips[0].statistics.mean.mode_I /
-           (load * std::sqrt(PI * a));
-  }
 
 
   /// Integral of 1/r over the rectangle from the tip to a corner.
@@ -181,6 +117,30 @@ BOOST_AUTO_TEST_CASE(quadrature_of_the_tip_singularity)
           exact += corner_integral(x, y);
       BOOST_TEST(area == 1., boost::test_tools::tolerance(1e-10));
       BOOST_TEST(integral == exact, boost::test_tools::tolerance(1e-6));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(quadrature_with_the_tip_on_an_edge_but_for_round_off)
+{
+  // A cell of six refinements whose upper edge misses the tip by 1e-18 m.
+  const Point<2> tip(0.001, 0.005);
+  const double   h = 1e-2 / 13 / 64;
+  for (const double top : {0.005 - 1e-18, 0.005, 0.005 + 1e-18})
+    {
+      const double                  x       = 0.001 - 0.2 * h;
+      const std::array<Point<2>, 4> corners = {{Point<2>(x, top - h),
+                                                Point<2>(x + h, top - h),
+                                                Point<2>(x, top),
+                                                Point<2>(x + h, top)}};
+      const QuadMap                 cell(corners);
+      const auto q    = cut_quadrature(cell, {cell.polygon()}, {tip}, 10);
+      double     area = 0.;
+      for (unsigned int i = 0; i < q.points.size(); ++i)
+        {
+          area += q.weights[i];
+          BOOST_TEST(q.points[i].distance(tip) > 0.);
+        }
+      BOOST_TEST(area == h * h, boost::test_tools::tolerance(1e-9));
     }
 }
 

@@ -1,6 +1,8 @@
 #ifndef morsel_core_failure_h
 #define morsel_core_failure_h
 
+#include <mpi.h>
+
 #include <functional>
 
 namespace Morsel
@@ -29,6 +31,15 @@ namespace Morsel
     void
     run(const std::function<void()> &work) const;
   };
+
+
+  /// Runs work that may fail on some ranks only, on all ranks; collective. If
+  /// it throws anywhere, the exception leaves this function there, and on all
+  /// other ranks one that says the same and has the same status.
+  /// @param work not collective: a rank that fails leaves it early
+  void
+  run_on_all_ranks(const MPI_Comm               communicator,
+                   const std::function<void()> &work);
 } // namespace Morsel
 
 #endif

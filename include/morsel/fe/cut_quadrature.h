@@ -2,15 +2,12 @@
 #define morsel_fe_cut_quadrature_h
 
 #include <morsel/fe/cell_geometry.h>
-#include <morsel/fracture/crack.h>
+#include <morsel/fe/polygon.h>
 
 #include <vector>
 
 namespace Morsel::FE
 {
-  using Polygon = std::vector<dealii::Point<2>>;
-
-
   /// Quadrature of one cell in physical coordinates.
   struct CellQuadrature
   {
@@ -18,39 +15,6 @@ namespace Morsel::FE
     std::vector<dealii::Point<2>> reference; ///< the same on the unit square
     std::vector<double>           weights;   ///< with the area element [m^2]
   };
-
-
-  /// Area of a counter-clockwise polygon [m^2].
-  double
-  polygon_area(const Polygon &polygon);
-
-
-  /// Cuts a convex polygon along the line through a and b: the part to the
-  /// left of the line and the part to its right, either of them perhaps
-  /// empty. Corners closer to the line than @p tolerance [m] lie on it.
-  std::pair<Polygon, Polygon>
-  cut_polygon(const Polygon          &polygon,
-              const dealii::Point<2> &a,
-              const dealii::Point<2> &b,
-              const double            tolerance);
-
-
-  /// Distance from a crack to a convex polygon, 0 where they meet [m].
-  double
-  distance_to_polygon(const Fracture::Crack &crack, const Polygon &polygon);
-
-
-  /// Distance from a point to a convex polygon, 0 inside [m].
-  double
-  distance_to_polygon(const dealii::Point<2> &p, const Polygon &polygon);
-
-
-  /// The convex pieces into which the lines of those crack segments that
-  /// enter the polygon divide it (one piece if none does). At a tip the line
-  /// is carried on through the whole cell.
-  std::vector<Polygon>
-  cut_into_pieces(const Polygon                      &polygon,
-                  const std::vector<Fracture::Crack> &cracks);
 
 
   /// Tensor Gauss rule with n points per direction.

@@ -15,6 +15,8 @@ namespace Morsel::FE
     std::array<double, 2> line_shift{{0., 0.}}; ///< [cells]
 
     unsigned int degree             = 4;
+    double       degree_drop        = 0.; ///< [1/level]
+    unsigned int smallest_degree    = 2;
     unsigned int tip_degree         = 3;
     double       enrichment_radius  = 8e-4; ///< [m]
     bool         ramp               = true;

@@ -2,7 +2,7 @@
 #define morsel_fe_elastic_problem_h
 
 #include <morsel/fe/cut_quadrature.h>
-#include <morsel/fe/multifrontal.h>
+#include <morsel/fe/element_system.h>
 #include <morsel/fe/xfem_space.h>
 #include <morsel/fracture/elastic_plane.h>
 
@@ -22,6 +22,7 @@ namespace Morsel::FE
     unsigned int n_iterations     = 0;  ///< 0: direct
     double       condition_number = 0.; ///< of the preconditioned matrix, by
                                         ///< Lanczos; 0: not known
+    unsigned int n_patch_dofs     = 0;  ///< solved directly in each iteration
     unsigned int n_dropped_pivots = 0;
     double       smallest_pivot   = 0.; ///< relative to the diagonal
     double       assembly_time    = 0.; ///< [s]
@@ -32,6 +33,7 @@ namespace Morsel::FE
   enum class SolverKind
   {
     multifrontal, ///< Cholesky by elements, factorised on the first rank
+    iterative,    ///< conjugate gradients with CrackPreconditioner
     umfpack       ///< LU of the assembled matrix, one rank
   };
 
@@ -71,7 +73,8 @@ namespace Morsel::FE
 
     /// Solves and returns the displacement in the space's dofs, with ghost
     /// values.
-    /// @throws NumericalError if the body is not held
+    /// @throws NumericalError if the body is not held, or if the iteration does
+    ///   not converge
     Solution
     solve(const SolverKind kind);
 
@@ -124,8 +127,13 @@ namespace Morsel::FE
         const std::function<void(const Cell &,
                                  const Eigen::MatrixXd &,
                                  const Eigen::VectorXd &)> &sink) const;
+    std::vector<ElementSystem>
+    collect_elements(
+        const dealii::AffineConstraints<double> &constraints) const;
     Solution
     solve_multifrontal(const dealii::AffineConstraints<double> &constraints);
+    Solution
+    solve_iterative(const dealii::AffineConstraints<double> &constraints);
     Solution
     solve_umfpack(const dealii::AffineConstraints<double> &constraints);
     Solution

@@ -1,25 +1,12 @@
 #ifndef morsel_fe_multifrontal_h
 #define morsel_fe_multifrontal_h
 
-#include <deal.II/base/point.h>
+#include <morsel/fe/element_system.h>
 
-#include <Eigen/Dense>
-
-#include <memory>
 #include <vector>
 
 namespace Morsel::FE
 {
-  /// One element's share of a symmetric system, constraints already applied.
-  struct ElementSystem
-  {
-    std::vector<unsigned int> dofs; ///< each at most once
-    Eigen::MatrixXd           matrix;
-    Eigen::VectorXd           rhs;
-    dealii::Point<2>          center; ///< orders the elements [m]
-  };
-
-
   /// Direct solver for symmetric positive definite systems given element by
   /// element: multifrontal Cholesky factorisation (Duff and Reid 1983) over a
   /// nested dissection of the elements. It takes the element matrices as they
@@ -29,13 +16,19 @@ namespace Morsel::FE
   class Multifrontal
   {
   public:
-    /// Solves sum_e K_e x = sum_e f_e.
+    /// Factorises the matrix sum_e K_e; the elements' right hand sides are not
+    /// used.
     /// @param elements consumed
-    /// @param n_dofs   length of the solution; dofs of no element get 0
-    Eigen::VectorXd
-    solve(std::vector<ElementSystem> &&elements, const unsigned int n_dofs);
+    /// @param n_dofs   length of vectors
+    void
+    factorise(std::vector<ElementSystem> &&elements, const unsigned int n_dofs);
 
-    /// Unknowns of the last solve whose pivot was dropped.
+    /// Solves with the factorised matrix; dofs of no element get 0.
+    /// @param rhs by dof
+    Eigen::VectorXd
+    solve(const Eigen::VectorXd &rhs) const;
+
+    /// Unknowns whose pivot was dropped.
     unsigned int
     n_dropped_pivots() const
     {
@@ -62,14 +55,12 @@ namespace Morsel::FE
     {
       std::vector<unsigned int> dofs;
       Eigen::MatrixXd           matrix;
-      Eigen::VectorXd           rhs;
     };
     struct Factor
     {
       std::vector<unsigned int> dofs;
       unsigned int              n_eliminated = 0;
       Eigen::MatrixXd           columns; ///< L11 over L21
-      Eigen::VectorXd           rhs;     ///< L11^-1 f1
       std::vector<bool>         dropped;
     };
 
@@ -81,9 +72,6 @@ namespace Morsel::FE
     eliminate(Front &&front, const unsigned int begin, const unsigned int end);
     void
     order(const unsigned int begin, const unsigned int end);
-    void
-    back_substitute(Eigen::VectorXd &x) const;
-
     std::vector<ElementSystem> elements;
     std::vector<unsigned int>  position;    ///< elements in tree order
     std::vector<unsigned int>  first, last; ///< by dof, in that order

@@ -79,6 +79,8 @@ namespace Morsel::FE
   private:
     void
     make_mesh();
+    std::vector<unsigned int>
+    cell_degrees() const;
     void
     solve_once();
     void
@@ -109,6 +111,18 @@ namespace Morsel::FE
   dealii::Vector<float>
   estimate_errors(const ElasticProblem           &problem,
                   const ElasticProblem::Solution &solution);
+
+
+  /// Flags the given share of all ranks' cells for refinement, those of the
+  /// largest errors. Cells whose errors differ from one of them by round-off
+  /// (symmetric plates have such) are flagged with it, so that the same cells
+  /// are flagged on any number of ranks. Collective.
+  /// @param errors by active cell index
+  /// @param share  in (0, 1] [1]
+  void
+  mark_largest(dealii::Triangulation<2>    &triangulation,
+               const dealii::Vector<float> &errors,
+               const double                 share);
 } // namespace Morsel::FE
 
 #endif

@@ -31,7 +31,7 @@ namespace Morsel::FE
   /// cracks, and inside the blending layer of the tip functions where at
   /// least two cells lie between it and the tip. Where rings overlap that
   /// layer they are counted; at degree 1, where this costs accuracy, and
-  /// where rings are thinner than two cells, there is a remark.
+  /// where rings are thinner than 4/degree cells, there is a remark.
   /// @param radius wished outer radius of the largest ring [m], 0: the
   ///   largest that fits
   /// @throws InputError if the wished ring does not fit between the tip and

@@ -35,8 +35,9 @@ namespace Morsel::FE
     /// Fries 2008) instead of dropping them at its outer nodes.
     bool ramp = true;
     /// A jump function whose support the crack leaves with less than this
-    /// share of its area on one side is dropped [1].
-    double area_tolerance = 1e-4;
+    /// share of its area on one side is dropped [1]. Far below what counts:
+    /// dropping at a share s costs K a relative 100 s (p = 2) to 600 s (p = 4).
+    double area_tolerance = 1e-10;
   };
 
 
@@ -111,7 +112,8 @@ namespace Morsel::FE
               const std::vector<EnrichmentParameters> &tip_parameters);
 
     /// Builds the space anew for the present mesh.
-    /// @param degrees by active cell index
+    /// @param degrees by active cell index; cells that carry enrichments and
+    ///   those that share a face with one take the highest of all
     /// @throws InputError if a tip's functions would reach a kink of its crack
     void
     distribute(const std::vector<unsigned int> &degrees);
@@ -206,6 +208,11 @@ namespace Morsel::FE
     classify_cells();
     void
     assign_slots(const std::vector<std::vector<int>> &jumps,
+                 const std::vector<std::vector<int>> &tips_of_cell);
+    std::vector<unsigned int>
+    raise_degrees(std::vector<unsigned int> degrees) const;
+    void
+    enrich_cells(const std::vector<std::vector<int>> &jumps,
                  const std::vector<std::vector<int>> &tips_of_cell);
     void
     build_collection(const std::vector<unsigned int> &degrees);

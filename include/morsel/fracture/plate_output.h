@@ -36,8 +36,8 @@ namespace Morsel::Fracture
 
 
   /// Stress about every tip in polar components, as a table (csv): ahead of
-  /// the tip up to the largest ring, and on a circle of a fifth of its outer
-  /// radius; beside it the singular field of the K measured.
+  /// the tip up to the largest ring (angle 0), and on circles up to 0.4 of its
+  /// outer radius; beside it the singular field of the K measured.
   std::string
   tip_stress_csv(const PlateScene             &plate,
                  const std::vector<CrackTip>  &tips,

@@ -59,6 +59,12 @@ namespace Morsel::Fracture
   make_cracks(const PlateScene &parameters);
 
 
+  /// How far make_cracks() carries mouths on beyond the boundary, so that
+  /// cracks cut the outermost cells through [m].
+  double
+  mouth_overhang(const PlateScene &parameters);
+
+
   /// Checks what no single entry shows.
   /// @throws InputError, one sentence
   void

@@ -1,24 +1,12 @@
 #ifndef morsel_output_atomic_file_h
 #define morsel_output_atomic_file_h
 
-#include <string>
+#include <morsel/core/atomic_file.h>
 
 namespace Morsel::Output
 {
-  /// Creates the folder and its parents where they are missing.
-  ///
-  /// @throws FileError with the folder's name and the system's reason.
-  void
-  create_folder(const std::string &folder);
-
-
-  /// Writes the file so that a reader, or a run killed at any moment, finds
-  /// either the old file or the complete new one: temporary file beside it,
-  /// fsync, rename.
-  ///
-  /// @throws FileError with the file's name and the system's reason.
-  void
-  write_atomically(const std::string &file_name, const std::string &content);
+  using Morsel::create_folder;
+  using Morsel::write_atomically;
 } // namespace Morsel::Output
 
 #endif

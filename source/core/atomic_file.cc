@@ -1,5 +1,5 @@
+#include <morsel/core/atomic_file.h>
 #include <morsel/core/errors.h>
-#include <morsel/output/atomic_file.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -9,7 +9,7 @@
 #include <system_error>
 #include <unistd.h>
 
-namespace Morsel::Output
+namespace Morsel
 {
   namespace
   {
@@ -73,4 +73,4 @@ namespace Morsel::Output
         fail(file_name, error);
       }
   }
-} // namespace Morsel::Output
+} // namespace Morsel

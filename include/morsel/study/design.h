@@ -1,0 +1,45 @@
+#ifndef morsel_study_design_h
+#define morsel_study_design_h
+
+#include <morsel/study/formula.h>
+#include <morsel/study/study.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Morsel::Study
+{
+  /// One run of a study: a scene and what is set in it.
+  struct PlannedRun
+  {
+    unsigned int             series = 0; ///< index in Study::series
+    std::vector<std::string> overrides;  ///< "Section/Key=value"
+
+    /// The axes' values by axis name: all as text, numbers as such, too.
+    std::map<std::string, std::string> texts;
+    Variables                          numbers;
+
+    std::string folder; ///< name of its folder of results, unique
+
+    /// "p1, n = 7", for people.
+    std::string label;
+  };
+
+
+  /// The values of an axis as texts.
+  /// @throw InputError if there are none, or one is no number
+  std::vector<std::string>
+  values_of(const Study &study, const Axis &axis);
+
+
+  /// All runs: for each series the product of its axes, of which the first
+  /// varies slowest; an axis that goes together with another one adds no
+  /// factor.
+  /// @throw InputError for an axis without values, partners of different
+  ///   length, formulas that are not understood
+  std::vector<PlannedRun>
+  plan_runs(const Study &study);
+} // namespace Morsel::Study
+
+#endif

@@ -1,0 +1,215 @@
+#include <morsel/core/atomic_file.h>
+#include <morsel/core/errors.h>
+#include <morsel/core/log.h>
+#include <morsel/core/signals.h>
+#include <morsel/core/suggestions.h>
+#include <morsel/study/results.h>
+#include <morsel/study/run_study.h>
+#include <morsel/study/runner.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+
+namespace Morsel::Study
+{
+  using nlohmann::ordered_json;
+
+  namespace
+  {
+    void
+    refuse_several_ranks()
+    {
+      if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1 ||
+          std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
+        throw InputError("A study starts its runs itself: start it without "
+                         "mpirun, and say in 'Study/Side by side' how many "
+                         "runs shall go at a time.");
+    }
+
+
+    /// The parameters of every run, and with it the check that all entries are
+    /// known and their values allowed.
+    std::vector<std::string>
+    parameters_of(const Study &study, const std::vector<PlannedRun> &runs)
+    {
+      std::vector<std::string> parameters;
+      for (const PlannedRun &run : runs)
+        try
+          {
+            parameters.push_back(scene_parameters(
+                study.series[run.series].base_scene, run.overrides));
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(study.file + ", run '" + run.label +
+                             "': " + error.what());
+          }
+      return parameters;
+    }
+
+
+    std::string
+    description_of(const Study &study, const std::vector<PlannedRun> &runs)
+    {
+      std::string text =
+          "Study '" + study.name +
+          "' is sound: " + std::to_string(runs.size()) + " runs" +
+          (study.timing ? ", one at a time, each " +
+                              std::to_string(study.repetitions) + " times"
+                        : ", " +
+                              std::to_string(std::min<std::size_t>(
+                                  study.side_by_side, runs.size())) +
+                              " at a time") +
+          ".\n";
+      for (unsigned int s = 0; s < study.series.size(); ++s)
+        text += "Series '" + study.series[s].name + "': " +
+                std::to_string(std::count_if(
+                    runs.begin(),
+                    runs.end(),
+                    [s](const auto &run) { return run.series == s; })) +
+                " runs of " + study.series[s].base_scene + "\n";
+      return text;
+    }
+
+
+    /// One line about a run that has come to its end.
+    std::string
+    line_of(const Study &study, const Row &row)
+    {
+      std::string text = row.run->label + ": ";
+      if (row.record->state == Record::State::failed)
+        return text + "failed, " + row.record->message;
+      for (unsigned int q = 0; q < study.quantities.size(); ++q)
+        if (const Measured &m = row.quantities[q]; m.value)
+          text += study.quantities[q].name + " = " + number_text(*m.value) +
+                  (m.error ? " (error " + number_text(*m.error) + "), " : ", ");
+      return text + (row.time ? number_text(*row.time) + " s" : "");
+    }
+
+
+    void
+    write_results(const Study            &study,
+                  const std::vector<Row> &rows,
+                  const std::string      &folder)
+    {
+      write_atomically(folder + "/study.csv", study_csv(study, rows));
+      write_atomically(
+          folder + "/study.json",
+          study_json(study, rows)
+                  .dump(2, ' ', false, ordered_json::error_handler_t::replace) +
+              "\n");
+    }
+
+
+    void
+    log_rates(RunLog &log, const Study &study, const std::vector<Row> &rows)
+    {
+      const ordered_json results = study_json(study, rows);
+      for (const ordered_json &fit : results["rates"])
+        {
+          log << "Rate of " << fit["quantity"].get<std::string>() << ", "
+              << fit["series"].get<std::string>();
+          for (const auto &[axis, value] : fit["at"].items())
+            log << ", " << axis << " = " << value.get<std::string>();
+          log << ": " << number_text(fit["rate"]);
+          if (!fit["low"].is_null())
+            log << " (95 %: " << number_text(fit["low"]) << " to "
+                << number_text(fit["high"]) << ')';
+          log << " over " << fit["points"].get<unsigned int>() << " runs\n";
+        }
+      log << std::flush;
+    }
+
+
+    /// Runs what is left, with the results on the disk after every run.
+    void
+    carry_out(const Study                   &study,
+              const std::vector<PlannedRun> &runs,
+              Runner                        &runner,
+              const std::string             &folder,
+              RunLog                        &log)
+    {
+      const std::vector<Record> &records = runner.get_records();
+      const auto                 is_over = [](const Record &record) {
+        return record.state != Record::State::not_run;
+      };
+      const auto kept = std::count_if(records.begin(), records.end(), is_over);
+      log << runs.size() << " runs";
+      if (kept > 0)
+        log << ", " << kept << " of them kept from before";
+      log << std::endl;
+
+      check_results(study, runs, records);
+      write_results(study, evaluate_runs(study, runs, records), folder);
+      runner.run([&](const unsigned int run) {
+        check_results(study, runs, records);
+        const std::vector<Row> rows = evaluate_runs(study, runs, records);
+        write_results(study, rows, folder);
+        log << '[' << std::count_if(records.begin(), records.end(), is_over)
+            << '/' << runs.size() << "] " << line_of(study, rows[run])
+            << std::endl;
+      });
+    }
+
+
+    void
+    conclude(const Study                   &study,
+             const std::vector<PlannedRun> &runs,
+             const std::vector<Record>     &records,
+             RunLog                        &log)
+    {
+      const auto failed =
+          std::find_if(records.begin(), records.end(), [](const auto &record) {
+            return record.state == Record::State::failed;
+          });
+      const auto n_failed =
+          std::count_if(failed, records.end(), [](const auto &record) {
+            return record.state == Record::State::failed;
+          });
+      if (n_failed == static_cast<long>(records.size()))
+        throw NumericalError("No run of the study finished; the first one "
+                             "failed with " +
+                             failed->message);
+      log_rates(log, study, evaluate_runs(study, runs, records));
+      if (n_failed > 0)
+        log.warning(std::to_string(n_failed) + " of " +
+                    std::to_string(records.size()) +
+                    " runs failed; study.csv says why.");
+    }
+  } // namespace
+
+
+  void
+  run_study(const CommandLine &command_line)
+  {
+    refuse_several_ranks();
+    Study study = read_study(command_line.scene_file, command_line.overrides);
+    if (command_line.run.threads > 0)
+      study.threads = command_line.run.threads;
+    const std::vector<PlannedRun> runs = plan_runs(study);
+    check_formulas(study, runs);
+    const std::vector<std::string> parameters = parameters_of(study, runs);
+    if (command_line.run.validate_only)
+      {
+        std::cout << description_of(study, runs) << std::flush;
+        return;
+      }
+
+    const std::string folder = command_line.run.output_directory.empty()
+                                   ? "output/" + study.name
+                                   : command_line.run.output_directory;
+    prepare_output_directory(folder);
+    RunLog log(folder + "/run.log", command_line.run.quiet, true);
+    log << (study.title.empty() ? study.name : study.title) << '\n';
+    write_atomically(folder + "/used.prm", study.used_parameters);
+    catch_signals();
+    Runner runner(study, runs, parameters, folder);
+    carry_out(study, runs, runner, folder, log);
+    conclude(study, runs, runner.get_records(), log);
+  }
+} // namespace Morsel::Study

@@ -1,0 +1,479 @@
+#include <morsel/core/errors.h>
+#include <morsel/core/suggestions.h>
+#include <morsel/study/study.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <sstream>
+
+namespace Morsel::Study
+{
+  namespace fs       = std::filesystem;
+  namespace Patterns = dealii::Patterns;
+
+  namespace
+  {
+    /// The names X of all sections "<kind> X", in order of appearance.
+    std::vector<std::string>
+    section_names(const std::vector<ParameterEntry> &entries,
+                  const std::string                 &kind)
+    {
+      std::vector<std::string> names;
+      for (const ParameterEntry &entry : entries)
+        if (entry.section.rfind(kind + " ", 0) == 0)
+          {
+            const std::string name = entry.section.substr(
+                kind.size() + 1, entry.section.find('/') - kind.size() - 1);
+            if (std::find(names.begin(), names.end(), name) == names.end())
+              names.push_back(name);
+          }
+      return names;
+    }
+
+
+    void
+    declare_top(Study &study, dealii::ParameterHandler &prm)
+    {
+      prm.add_parameter("Name",
+                        study.name,
+                        "Name of the study and of its folder of results; the "
+                        "file's name if empty.");
+      prm.add_parameter("Title", study.title, "What the study shows.");
+
+      prm.enter_subsection("Study");
+      prm.add_parameter("Base scene",
+                        study.base_scene,
+                        "Scene file that the runs start from, relative to the "
+                        "study's file.");
+      prm.add_parameter("Quantities",
+                        study.recorded,
+                        "Results to record, named as in summary.json, "
+                        "separated by commas; those with a section 'Quantity "
+                        "<name>' need not be listed.");
+      prm.add_parameter("Resolution",
+                        study.resolution,
+                        "What errors are drawn and fitted against: a formula "
+                        "of axes and results, such as 'n' or 'dof_count' [1]. "
+                        "'unknowns' is dof_count, or twice particle_count.");
+      prm.add_parameter("Resolution label",
+                        study.resolution_label,
+                        "What the resolution is, for figures.");
+      prm.add_parameter(
+          "Timing", study.timing, "Time matters: one run at a time, repeated.");
+      prm.add_parameter("Repetitions",
+                        study.repetitions,
+                        "Of each run in a timing study; median and spread of "
+                        "the time are recorded [1].",
+                        Patterns::Integer(1, 1000));
+      prm.add_parameter("Time",
+                        study.time_result,
+                        "Result that counts as the run's time [s].");
+      prm.add_parameter("Side by side",
+                        study.side_by_side,
+                        "Runs at the same time, unless time matters [1].",
+                        Patterns::Integer(1, 4096));
+      prm.add_parameter("Threads",
+                        study.threads,
+                        "Of each run [1].",
+                        Patterns::Integer(1, 4096));
+      prm.add_parameter("Time limit",
+                        study.time_limit,
+                        "A run that takes longer has failed [s]; 0: none.",
+                        Patterns::Double(0.));
+      prm.add_parameter("Keep fields",
+                        study.keep_fields,
+                        "Keep the folder 'solution' of every run.");
+      prm.leave_subsection();
+    }
+
+
+    void
+    declare_axis(Axis &axis, dealii::ParameterHandler &prm)
+    {
+      prm.enter_subsection("Axis " + axis.name);
+      prm.add_parameter(
+          "Kind",
+          axis.kind,
+          "Its values: 'numbers' and 'texts' are listed in "
+          "Values; 'linear' and 'logarithmic' are Count values "
+          "from From to To; 'random' are Count draws between "
+          "From and To; 'seeds' are Seed, Seed + 1, ...",
+          Patterns::Selection("numbers|texts|linear|logarithmic|random|seeds"));
+      prm.add_parameter("Values",
+                        axis.values,
+                        "List separated by commas, or by semicolons if there "
+                        "is one.");
+      prm.add_parameter("From", axis.from, "First value [unit of the axis].");
+      prm.add_parameter("To", axis.to, "Last value [unit of the axis].");
+      prm.add_parameter(
+          "Count", axis.count, "Number of values [1].", Patterns::Integer(0));
+      prm.add_parameter("Seed",
+                        axis.seed,
+                        "Of the draws, or the first of the seeds [1].",
+                        Patterns::Integer(0));
+      prm.add_parameter("Whole numbers",
+                        axis.whole,
+                        "Round the values of a range, and drop doubles.");
+      prm.add_parameter("Entries",
+                        axis.entries,
+                        "What the value is put into, separated by semicolons: "
+                        "'Section/Key', or 'Section/Key = text' with formulas "
+                        "of the axes in braces.");
+      prm.add_parameter("Together with",
+                        axis.partner,
+                        "Axis of as many values that this one goes along with; "
+                        "else all combinations are run.");
+      prm.add_parameter("Label", axis.label, "For figures; the name if empty.");
+      prm.add_parameter("Unit", axis.unit, "Unit, for figures.");
+      prm.leave_subsection();
+    }
+
+
+    void
+    declare_series(Series &series, dealii::ParameterHandler &prm)
+    {
+      prm.enter_subsection("Series " + series.name);
+      prm.add_parameter(
+          "Title", series.title, "For figures; the name if empty.");
+      prm.add_parameter("Base scene",
+                        series.base_scene,
+                        "As in section Study, which serves if this is empty.");
+      prm.add_parameter("Axes",
+                        series.axes,
+                        "The axes of this series, separated by commas; all if "
+                        "empty.");
+      prm.add_parameter("Entries",
+                        series.entries,
+                        "'Section/Key = text' separated by semicolons, with "
+                        "formulas of the axes in braces.");
+      prm.leave_subsection();
+    }
+
+
+    void
+    declare_quantity(Quantity &quantity, dealii::ParameterHandler &prm)
+    {
+      prm.enter_subsection("Quantity " + quantity.name);
+      prm.add_parameter("Expression",
+                        quantity.expression,
+                        "Formula of results (names in summary.json) and axes; "
+                        "the result of this name if empty.");
+      prm.add_parameter("Label", quantity.label, "For figures.");
+      prm.add_parameter(
+          "Unit", quantity.unit, "Unit; the result's own if empty.");
+      prm.add_parameter(
+          "Truth",
+          quantity.truth,
+          "What errors are measured from: 'formula' of the axes "
+          "(a number is one), 'table' over an axis, 'finest run' "
+          "(the largest resolution), 'reference' that the "
+          "run states itself, or 'none'.",
+          Patterns::Selection("none|formula|table|finest run|reference"));
+      prm.add_parameter("Truth formula",
+                        quantity.truth_formula,
+                        "Number or formula [unit of the quantity].");
+      prm.add_parameter("Truth axis",
+                        quantity.truth_axis,
+                        "Axis of the table, or 'series'; for 'finest run' the "
+                        "axes, separated by commas, along which the truth "
+                        "differs.");
+      prm.add_parameter("Truth table",
+                        quantity.truth_table,
+                        "'axis value: truth', separated by commas [unit of the "
+                        "quantity].");
+      prm.add_parameter("Truth accuracy",
+                        quantity.accuracy,
+                        "Relative error of the truth: smaller errors of runs "
+                        "mean nothing and stay out of fits [1].",
+                        Patterns::Double(0.));
+      prm.add_parameter("Error scale",
+                        quantity.scale,
+                        "Errors are divided by this [unit of the quantity]; 0: "
+                        "by the truth's magnitude.",
+                        Patterns::Double(0.));
+      prm.leave_subsection();
+    }
+
+
+    /// Binds everything; the study must stay where it is meanwhile.
+    void
+    declare(Study &study, dealii::ParameterHandler &prm)
+    {
+      declare_top(study, prm);
+      for (Axis &axis : study.axes)
+        declare_axis(axis, prm);
+      for (Series &series : study.series)
+        declare_series(series, prm);
+      for (Quantity &quantity : study.quantities)
+        declare_quantity(quantity, prm);
+    }
+
+
+    bool
+    is_identifier(const std::string &text)
+    {
+      return !text.empty() &&
+             std::isdigit(static_cast<unsigned char>(text[0])) == 0 &&
+             std::all_of(text.begin(), text.end(), [](const unsigned char c) {
+               return std::isalnum(c) != 0 || c == '_';
+             });
+    }
+
+
+    void
+    check_names(const Study &study)
+    {
+      const auto check = [&](const std::string &kind, const std::string &name) {
+        if (!is_identifier(name))
+          throw InputError(study.file + ": The name in the section '" + kind +
+                           " " + name +
+                           "' is not allowed: give letters, digits and "
+                           "underscores, since formulas may use it.");
+      };
+      for (const Axis &axis : study.axes)
+        check("Axis", axis.name);
+      for (const Quantity &quantity : study.quantities)
+        check("Quantity", quantity.name);
+    }
+
+
+    void
+    check_axis_name(const Study       &study,
+                    const std::string &name,
+                    const std::string &path)
+    {
+      std::vector<std::string> known;
+      for (const Axis &axis : study.axes)
+        known.push_back(axis.name);
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        throw InputError(study.place_of(path) + " names the axis '" + name +
+                         "', which has no section 'Axis " + name + "'." +
+                         did_you_mean(name, known));
+    }
+
+
+    void
+    check_truth(const Study &study, const Quantity &quantity)
+    {
+      const std::string section = "Quantity " + quantity.name + "/";
+      const auto        need = [&](const char *key, const std::string &value) {
+        if (value.empty())
+          throw InputError(study.place_of(section + "Truth") + " = '" +
+                           quantity.truth + "' needs '" + key +
+                           "', which is missing.");
+      };
+      if (quantity.truth == "formula")
+        need("Truth formula", quantity.truth_formula);
+      if (quantity.truth == "table")
+        {
+          need("Truth axis", quantity.truth_axis);
+          need("Truth table", quantity.truth_table);
+        }
+      if (quantity.truth == "none" &&
+          !(quantity.truth_formula.empty() && quantity.truth_table.empty()))
+        throw InputError(study.place_of(section + "Truth") +
+                         " = 'none', but a truth is given beside it: set "
+                         "'Truth' to 'formula' or 'table'.");
+      for (const std::string &name : list_items(quantity.truth_axis))
+        if (name != "series")
+          check_axis_name(study, name, section + "Truth axis");
+    }
+
+
+    void
+    check(const Study &study)
+    {
+      check_names(study);
+      if (study.axes.empty())
+        throw InputError(study.file +
+                         ": The study varies nothing; give it a section 'Axis "
+                         "<name>' with 'Values' and 'Entries'.");
+      if (study.quantities.empty())
+        throw InputError(study.file +
+                         ": The study records nothing; name results of "
+                         "summary.json in 'Study/Quantities'.");
+      for (const Axis &axis : study.axes)
+        if (!axis.partner.empty())
+          check_axis_name(
+              study, axis.partner, "Axis " + axis.name + "/Together with");
+      for (const Series &series : study.series)
+        for (const std::string &name : list_items(series.axes))
+          check_axis_name(study, name, "Series " + series.name + "/Axes");
+      for (const Quantity &quantity : study.quantities)
+        check_truth(study, quantity);
+    }
+
+
+    /// The base scene of a series as a path from the working folder.
+    std::string
+    base_scene_path(const Study &study, const Series &series)
+    {
+      const bool        own  = !series.base_scene.empty();
+      const std::string path = own ? series.base_scene : study.base_scene;
+      const std::string entry =
+          own ? "Series " + series.name + "/Base scene" : "Study/Base scene";
+      if (path.empty())
+        throw InputError(study.place_of("Study/Base scene") +
+                         " is missing: name the scene that the runs start "
+                         "from.");
+      const fs::path full =
+          (fs::path(study.file).parent_path() / path).lexically_normal();
+      std::error_code error;
+      if (!fs::is_regular_file(full, error))
+        throw InputError(
+            study.place_of(entry) + " = '" + path + "': There is no file '" +
+            full.string() + "'." +
+            did_you_mean(full.string(), files_beside(full.string())));
+      return full.string();
+    }
+
+
+    struct Reading
+    {
+      Study                    study;
+      dealii::ParameterHandler prm;
+    };
+
+
+    /// So that used.prm means the same wherever it lies.
+    void
+    name_base_scenes_absolutely(Reading &reading)
+    {
+      const fs::path folder = fs::path(reading.study.file).parent_path();
+      for (const DeclaredParameter &parameter :
+           declared_parameters(reading.prm))
+        if (parameter.key == "Base scene" && !parameter.value.empty())
+          {
+            reading.prm.enter_subsection(parameter.section);
+            reading.prm.set(
+                parameter.key,
+                fs::absolute(folder / parameter.value).lexically_normal());
+            reading.prm.leave_subsection();
+          }
+    }
+
+
+    void
+    read(Reading                        &reading,
+         const std::string              &file_name,
+         const std::vector<std::string> &overrides)
+    {
+      Study &study  = reading.study;
+      study.file    = file_name;
+      study.entries = read_parameter_file(file_name);
+      for (const std::string &text : overrides)
+        study.entries.push_back(read_override(text));
+
+      for (const std::string &name : section_names(study.entries, "Axis"))
+        study.axes.emplace_back().name = name;
+      for (const std::string &name : section_names(study.entries, "Series"))
+        study.series.emplace_back().name = name;
+      std::vector<std::string> names =
+          list_items(last_value(study.entries, "Study/Quantities", ""));
+      for (const std::string &name : section_names(study.entries, "Quantity"))
+        if (std::find(names.begin(), names.end(), name) == names.end())
+          names.push_back(name);
+      for (const std::string &name : names)
+        study.quantities.emplace_back().name = name;
+      declare(study, reading.prm);
+      set_parameters(reading.prm, study.entries);
+    }
+  } // namespace
+
+
+  const Axis *
+  Study::find_axis(const std::string &axis_name) const
+  {
+    const auto axis = std::find_if(
+        axes.begin(), axes.end(), [&](auto &a) { return a.name == axis_name; });
+    return axis == axes.end() ? nullptr : &*axis;
+  }
+
+
+  std::string
+  Study::place_of(const std::string &path) const
+  {
+    const std::string place = last_place(entries, path);
+    return (place.empty() ? file : place) + ": '" + path + "'";
+  }
+
+
+  bool
+  is_study(const std::string &file_name)
+  {
+    if (file_name.empty())
+      return false;
+    const std::vector<ParameterEntry> entries = read_parameter_file(file_name);
+    return std::any_of(entries.begin(), entries.end(), [](const auto &entry) {
+      return entry.section == "Study";
+    });
+  }
+
+
+  Study
+  read_study(const std::string              &file_name,
+             const std::vector<std::string> &overrides)
+  {
+    Reading reading;
+    read(reading, file_name, overrides);
+    Study study = reading.study;
+    check(study);
+    if (study.name.empty())
+      study.name = fs::path(file_name).stem().string();
+    if (study.series.empty())
+      study.series.emplace_back().name = "all";
+    for (Series &series : study.series)
+      {
+        series.base_scene = base_scene_path(study, series);
+        if (series.title.empty())
+          series.title = series.name;
+      }
+    for (Axis &axis : study.axes)
+      if (axis.label.empty())
+        axis.label = axis.name;
+    for (Quantity &quantity : study.quantities)
+      {
+        if (quantity.expression.empty())
+          quantity.expression = quantity.name;
+        if (quantity.label.empty())
+          quantity.label = quantity.name;
+      }
+    name_base_scenes_absolutely(reading);
+    study.used_parameters = parameters_as_prm(reading.prm, false);
+    return study;
+  }
+
+
+  std::string
+  study_parameters(const std::string              &format,
+                   const std::string              &file_name,
+                   const std::vector<std::string> &overrides)
+  {
+    Reading reading;
+    read(reading, file_name, overrides);
+    if (reading.study.name.empty())
+      reading.prm.set("Name", fs::path(file_name).stem().string());
+    if (format == "json")
+      return parameters_as_json(reading.prm);
+    return format == "md" ? parameters_as_markdown(reading.prm)
+                          : parameters_as_prm(reading.prm, true);
+  }
+
+
+  std::vector<std::string>
+  list_items(const std::string &text)
+  {
+    const char separator = text.find(';') != std::string::npos ? ';' : ',';
+    std::vector<std::string> items;
+    std::istringstream       stream(text);
+    for (std::string item; std::getline(stream, item, separator);)
+      items.push_back(trimmed(item));
+    // "a, b," and "0, 1000;" end with a separator, not with an empty item.
+    if (!items.empty() && items.back().empty())
+      items.pop_back();
+    return items;
+  }
+} // namespace Morsel::Study
