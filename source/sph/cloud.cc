@@ -173,7 +173,7 @@ namespace Morsel::SPH
            ++step)
         {
           const auto cells = voronoi_cells(
-              positions(seeds), filling.lower, filling.upper, spacing);
+              positions(seeds), filling.lower, filling.upper, spacing, moves);
           largest_move = 0.;
           for (unsigned int i = 0; i < seeds.size(); ++i)
             if (moves[i])

@@ -1,10 +1,10 @@
 #include <morsel/core/errors.h>
+#include <morsel/core/suggestions.h>
 #include <morsel/fracture/energy_release.h>
 #include <morsel/sph/plate_problem.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
-#include <deal.II/base/utilities.h>
 
 #include <array>
 
@@ -57,8 +57,8 @@ namespace Morsel::SPH
     if (ratio < 0.8 || ratio > 1.25)
       throw InputError(
           "'SPH/Particles along x' and 'along y' give spacings of " +
-          dealii::Utilities::to_string(size[0] / plate.particles_x) + " and " +
-          dealii::Utilities::to_string(size[1] / plate.particles_y) +
+          number_text(size[0] / plate.particles_x) + " and " +
+          number_text(size[1] / plate.particles_y) +
           " m, but the one must be between 0.8 and 1.25 of the other.");
   }
 

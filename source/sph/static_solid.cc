@@ -236,12 +236,17 @@ namespace Morsel::SPH
                        const Factorisation &factors,
                        const double         tolerance)
   {
-    Vector<double> rhs = outer_force();
+    Vector<double> rhs   = outer_force();
+    const double   force = rhs.l2_norm();
     for (const Constraint &c : constraints)
       for (unsigned int k = 0; k < c.index.size(); ++k)
         rhs(2 * c.index[k] + c.component) +=
             c.stiffness * c.target * c.weight[k];
-    SolverControl control(largest_iteration_count, tolerance * rhs.l2_norm());
+    // The penalty times a prescribed displacement exceeds the reactions by far;
+    // before the first step of the multipliers it is all there is.
+    SolverControl            control(largest_iteration_count,
+                          force > 0. ? tolerance * force + 1e-15 * rhs.l2_norm()
+                                                : tolerance * rhs.l2_norm());
     SolverCG<Vector<double>> solver(control);
     solver.connect_condition_number_slot([&](const double condition) {
       report.condition_number = std::max(report.condition_number, condition);

@@ -107,7 +107,8 @@ namespace Morsel::SPH
   voronoi_cells(const std::vector<Point<2>> &points,
                 const Point<2>              &lower,
                 const Point<2>              &upper,
-                const double                 spacing)
+                const double                 spacing,
+                const std::vector<char>     &wanted)
   {
     const double reach = 4. * spacing;
     CellGrid     grid;
@@ -137,6 +138,8 @@ namespace Morsel::SPH
       std::vector<unsigned int> candidates;
       for (unsigned int i = begin; i < end; ++i)
         {
+          if (!wanted.empty() && !wanted[i])
+            continue;
           candidates.clear();
           grid.for_each_near(points[i], [&](const unsigned int j) {
             if (j != i && points[i].distance_square(points[j]) < reach * reach)

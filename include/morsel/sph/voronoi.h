@@ -53,11 +53,13 @@ namespace Morsel::SPH
   /// @param points  inside of the rectangle, no two alike [m]
   /// @param spacing typical distance of neighbours [m]: facets below 1e-9 of
   ///   it are left out
+  /// @param wanted  which cells to make; empty: all
   std::vector<VoronoiCell>
   voronoi_cells(const std::vector<dealii::Point<2>> &points,
                 const dealii::Point<2>              &lower,
                 const dealii::Point<2>              &upper,
-                const double                         spacing);
+                const double                         spacing,
+                const std::vector<char>             &wanted = {});
 } // namespace Morsel::SPH
 
 #endif
