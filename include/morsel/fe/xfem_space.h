@@ -215,9 +215,6 @@ namespace Morsel::FE
     enrich_cells(const std::vector<std::vector<int>> &jumps,
                  const std::vector<std::vector<int>> &tips_of_cell);
     void
-    enrich_cells(const std::vector<std::vector<int>> &jumps,
-                 const std::vector<std::vector<int>> &tips_of_cell);
-    void
     build_collection(const std::vector<unsigned int> &degrees);
     LocalNumbering
     make_numbering(const dealii::FiniteElement<2> &fe,
