@@ -120,7 +120,7 @@ main(int argc, char **argv)
         // The pages of reference show both kinds of scenes.
         if (command_line.print_parameters == "md" &&
             command_line.scene_file.empty())
-          std::cout << "\n# Cracked plates (Method = XFEM)\n"
+          std::cout << "\n# Cracked plates (Method = XFEM or SPH)\n"
                     << default_fracture_parameters("md");
       });
     else

@@ -2,8 +2,11 @@
 #include <morsel/sph/cloud.h>
 #include <morsel/sph/neighbours.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <sstream>
 #include <utility>
@@ -16,7 +19,7 @@ namespace Morsel::SPH
 
   namespace
   {
-    constexpr unsigned int no_partner = static_cast<unsigned int>(-1);
+    constexpr unsigned int nothing = static_cast<unsigned int>(-1);
 
     constexpr unsigned int rows_along_crack   = 3;
     constexpr unsigned int columns_beyond_tip = 3;
@@ -27,9 +30,9 @@ namespace Morsel::SPH
     struct Seed
     {
       Point<2>     position;
-      bool         fixed   = false;      ///< not to be relaxed
-      unsigned int partner = no_partner; ///< mirror image across a crack
-      Tensor<1, 2> normal;               ///< of that crack
+      bool         fixed  = false;   ///< not to be relaxed
+      unsigned int source = nothing; ///< seed whose random offset it takes,
+      Tensor<2, 2> image;            ///< mirrored by this; nothing: its own
     };
 
 
@@ -88,6 +91,45 @@ namespace Morsel::SPH
     }
 
 
+    /// I - 2 n (x) n.
+    Tensor<2, 2>
+    reflection(const Tensor<1, 2> &n)
+    {
+      return Tensor<2, 2>(dealii::unit_symmetric_tensor<2>()) -
+             2. * outer_product(n, n);
+    }
+
+
+    /// Two seeds face to face across a crack.
+    /// @param next_to_crack their offsets are mirror images
+    /// @param behind the first of the two on the other side of a tip, whose
+    ///   offset theirs mirror, too: the tip stays a corner of their cells
+    void
+    add_pair(const bool          next_to_crack,
+             const Point<2>     &up,
+             const Point<2>     &down,
+             const Tensor<1, 2> &normal,
+             const unsigned int  behind,
+             std::vector<Seed>  &seeds)
+    {
+      Seed seed;
+      seed.position = up;
+      seed.fixed    = true;
+      if (next_to_crack)
+        {
+          const Tensor<1, 2> along({normal[1], -normal[0]});
+          seed.source = behind == nothing ? seeds.size() : seeds[behind].source;
+          seed.image  = behind == nothing
+                            ? Tensor<2, 2>(dealii::unit_symmetric_tensor<2>())
+                            : reflection(along) * seeds[behind].image;
+        }
+      seeds.push_back(seed);
+      seed.position = down;
+      seed.image    = reflection(normal) * seed.image;
+      seeds.push_back(seed);
+    }
+
+
     /// Rows on both sides of each segment, half a spacing off it and further,
     /// the nearest first. Columns divide the segment evenly and are carried
     /// on beyond a tip.
@@ -114,6 +156,7 @@ namespace Morsel::SPH
                     s == 0 && crack.has_tip(0) ? columns_beyond_tip : 0;
                 const int after =
                     s + 1 == n && crack.has_tip(1) ? columns_beyond_tip : 0;
+                int last_column = std::numeric_limits<int>::max();
                 for (int c = -before; c < columns + after; ++c)
                   {
                     const Point<2> foot =
@@ -127,15 +170,17 @@ namespace Morsel::SPH
                     };
                     if (!usable(up) || !usable(down))
                       continue;
-                    Seed seed;
-                    seed.position = up;
-                    seed.fixed    = true;
-                    seed.normal   = normal;
-                    seed.partner  = row == 0 ? seeds.size() + 1 : no_partner;
-                    seeds.push_back(seed);
-                    seed.position = down;
-                    seed.partner  = row == 0 ? seeds.size() - 1 : no_partner;
-                    seeds.push_back(seed);
+                    const unsigned int behind =
+                        c - 1 == last_column ? seeds.size() - 2 : nothing;
+                    const bool behind_tip =
+                        (c == 0 && before > 0) || (c == columns && after > 0);
+                    add_pair(row == 0,
+                             up,
+                             down,
+                             normal,
+                             behind_tip ? behind : nothing,
+                             seeds);
+                    last_column = c;
                   }
               }
           }
@@ -198,17 +243,16 @@ namespace Morsel::SPH
         return (2. * ((generator() >> 11) * 0x1.0p-53) - 1.) * filling.scatter *
                spacing;
       };
+      std::vector<Tensor<1, 2>> offsets;
       for (unsigned int i = 0; i < seeds.size(); ++i)
         {
-          const double       x = draw(), y = draw();
-          const Tensor<1, 2> offset({x, y});
-          if (seeds[i].partner != no_partner && seeds[i].partner < i)
-            continue;
-          seeds[i].position += offset;
-          if (seeds[i].partner != no_partner)
-            seeds[seeds[i].partner].position +=
-                offset - 2. * (offset * seeds[i].normal) * seeds[i].normal;
+          const double x = draw(), y = draw();
+          offsets.push_back(Tensor<1, 2>({x, y}));
         }
+      for (unsigned int i = 0; i < seeds.size(); ++i)
+        seeds[i].position += seeds[i].source == nothing
+                                 ? offsets[i]
+                                 : seeds[i].image * offsets[seeds[i].source];
     }
   } // namespace
 

@@ -57,9 +57,9 @@ namespace Morsel::SPH
     }
 
 
-    /// Along the crack's left face and then its right one; the energies there
-    /// differ like r^(-1/2), so Gauss points stand in the root of the
-    /// distance.
+    /// Along the crack's left face and then its right one, a small angle off
+    /// it; the energies there differ like r^(-1/2), so Gauss points stand in
+    /// the root of the distance.
     Places
     face_places(const Fracture::CrackTip &tip, const double reach)
     {
@@ -77,7 +77,7 @@ namespace Morsel::SPH
                                        n_intervals);
               places.points.push_back(tip.position -
                                       reach * t * t * tip.direction +
-                                      side * 1e-6 * reach * normal);
+                                      side * 1e-6 * reach * t * t * normal);
             }
       return places;
     }

@@ -40,9 +40,9 @@ namespace Morsel::SPH
 
 
   /// A lattice half a spacing inside of the rectangle, fitted to the cracks
-  /// and scattered as asked for. The two rows along a crack are scattered as
-  /// mirror images where the cloud is fitted, so that the crack stays on
-  /// facets of cells.
+  /// and scattered as asked for. Where the cloud is fitted, the two rows along
+  /// a crack are scattered as mirror images of each other, and so are the two
+  /// columns about a tip: the crack stays on facets and ends at a corner.
   /// @throws InputError if a particle would lie on a crack
   Cloud
   fill_rectangle(const Filling                      &filling,
