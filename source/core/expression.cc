@@ -7,6 +7,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
+#include <regex>
 
 namespace Morsel
 {
@@ -17,7 +18,8 @@ namespace Morsel
 
 
   VectorExpression::VectorExpression(const std::string &text)
-      : parser(std::make_unique<Parser>())
+      : uniform(!std::regex_search(text, std::regex("\\b[xy]\\b")))
+      , parser(std::make_unique<Parser>())
   {
     const std::string advice =
         " is not a vector field 'f_x; f_y' of x, y and t, such as '0; "

@@ -38,12 +38,13 @@ namespace Morsel::Measure
         {
           if (i % nx == 0 || i % nx == nx - 1)
             continue;
-          const double own = s[i].*component;
+          const auto  &t   = s[i];
+          const double own = t.*component;
           const double mean =
               0.25 * (s[i - 1].*component + s[i + 1].*component +
                       s[i - nx].*component + s[i + nx].*component);
           rough += (own - mean) * (own - mean);
-          whole += own * own;
+          whole += t.xx * t.xx + t.yy * t.yy + 2. * t.xy * t.xy;
         }
       return whole > 0. ? std::sqrt(rough / whole) : 0.;
     };

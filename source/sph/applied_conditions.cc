@@ -35,6 +35,32 @@ namespace Morsel::SPH
       t[1] = v.y;
       return t;
     }
+
+
+    /// Corrects accelerations until all prescribed velocities hold. Conditions
+    /// that meet at a corner share particles: Gauss-Seidel on reactions.
+    void
+    hold(const std::vector<std::unique_ptr<AppliedCondition>> &conditions,
+         Particles                                            &particles,
+         const double                                          kick)
+    {
+      constexpr unsigned int most_sweeps = 500;
+      double                 first_gap   = 0.;
+      for (unsigned int sweep = 0; sweep < most_sweeps; ++sweep)
+        {
+          AppliedCondition::Gap largest{0., 0.};
+          for (auto &condition : conditions)
+            {
+              const auto gap = condition->correct(particles, kick);
+              largest        = {std::max(largest.gap, gap.gap),
+                                std::max(largest.speed, gap.speed)};
+            }
+          if (sweep == 0)
+            first_gap = largest.gap;
+          if (!(largest.gap > 1e-12 * first_gap + 1e-14 * largest.speed))
+            break;
+        }
+    }
   } // namespace
 
 
@@ -154,10 +180,15 @@ namespace Morsel::SPH
                                const double time,
                                const double half_step)
   {
+    if (loaded.empty())
+      return;
+    const bool           uniform = value.is_uniform();
+    dealii::Tensor<1, 2> f       = value(dealii::Point<2>(), time);
     for (Loaded &l : loaded)
       {
-        const auto f = value(p.position(l.particle), time);
-        Vector2   &a = p.acceleration[l.particle];
+        if (!uniform)
+          f = value(p.position(l.particle), time);
+        Vector2 &a = p.acceleration[l.particle];
         if (is_damping())
           {
             // At the velocity of this moment, which it changes itself.
@@ -182,12 +213,18 @@ namespace Morsel::SPH
   {
     // The velocity of the half step belongs to the place halfway, on which
     // it depends itself: a few substitutions turn a body rigidly to round-off.
+    const auto at_once = value(dealii::Point<2>(), time + 0.5 * time_step);
     for (Prescribed &q : prescribed)
       {
         q.reaction = {0., 0.};
         if (condition.kind != "velocity")
           {
             q.target = {0., 0.};
+            continue;
+          }
+        if (value.is_uniform())
+          {
+            q.target = {at_once[0], at_once[1]};
             continue;
           }
         const dealii::Tensor<1, 2> start =
@@ -296,31 +333,22 @@ namespace Morsel::SPH
     const double kick      = half_step + 0.5 * time_step;
     started                = true;
     Particles &particles   = solid.state();
-    // A damping is told the velocity that the other forces lead to.
-    for (const bool damping : {false, true})
-      for (auto &condition : conditions)
-        if (condition->is_damping() == damping)
-          condition->add_forces(particles, time, half_step);
-
-    // Conditions that meet at a corner share particles: sweep until all
-    // hold (Gauss-Seidel on their reactions).
-    constexpr unsigned int most_sweeps = 500;
+    bool       damped      = false;
     for (auto &condition : conditions)
-      condition->set_targets(particles, time, time_step);
-    double first_gap = 0.;
-    for (unsigned int sweep = 0; sweep < most_sweeps; ++sweep)
       {
-        AppliedCondition::Gap largest{0., 0.};
+        damped = damped || condition->is_damping();
+        if (!condition->is_damping())
+          condition->add_forces(particles, time, half_step);
+        condition->set_targets(particles, time, time_step);
+      }
+    hold(conditions, particles, kick);
+    // A damping needs the velocity to which all else leads, supports too.
+    if (damped)
+      {
         for (auto &condition : conditions)
-          {
-            const auto gap = condition->correct(particles, kick);
-            largest        = {std::max(largest.gap, gap.gap),
-                              std::max(largest.speed, gap.speed)};
-          }
-        if (sweep == 0)
-          first_gap = largest.gap;
-        if (!(largest.gap > 1e-12 * first_gap + 1e-14 * largest.speed))
-          break;
+          if (condition->is_damping())
+            condition->add_forces(particles, time, half_step);
+        hold(conditions, particles, kick);
       }
     for (auto &condition : conditions)
       condition->account(particles, half_step, kick);

@@ -104,15 +104,15 @@ BOOST_AUTO_TEST_CASE(strain_rates_of_25_particles)
                                        << e.corner);
         return e;
       };
-      // Measured on an independent prototype: 0.011, 0.50 and 0.61; 0, 0.011
-      // and 0.146; 0.
+      // An independent prototype found 0.011, 0.50 and 0.61 without, a corner
+      // error of 0.146 (of shear) per axis, and none with the matrix.
       const auto none = errors("none", 0.);
       BOOST_TEST(std::abs(none.interior - 0.011) < 0.001);
       BOOST_TEST(std::abs(none.edge - 0.50) < 0.01);
       BOOST_TEST(std::abs(none.corner - 0.61) < 0.01);
       const auto per_axis = errors("per axis", 0.);
       BOOST_TEST(per_axis.interior < 1e-13);
-      BOOST_TEST(std::abs(per_axis.edge - 0.011) < 0.012);
+      BOOST_TEST(per_axis.edge < 1e-13);
       BOOST_TEST(std::abs(per_axis.corner - 0.146) < 0.01);
       for (const double scatter : {0., 0.2})
         {
@@ -198,16 +198,18 @@ BOOST_AUTO_TEST_CASE(momentum_and_energy_are_kept)
         body.solid.viscosity         = dissipative ? "on" : "off";
         body.solid.artificial_stress = dissipative ? 0.1 : 0.;
         body.initial_velocity_field  = "0.5*sin(300*y); 0.2*x*300";
-        const auto   solid           = make_body(scene);
-        const double dt              = solid->stable_time_step(0.);
-        const auto   total           = [&] {
+        const auto solid             = make_body(scene);
+        // The heat of viscosity is a sum of rectangles, of first order in dt.
+        const double dt = solid->stable_time_step(0.) / (dissipative ? 4. : 1.);
+        const unsigned int steps = dissipative ? 1200 : 300;
+        const auto         total = [&] {
           const auto e = solid->energies(dt);
           return e.strain + e.kinetic + e.viscous_heat + e.artificial;
         };
         solid->compute_accelerations(dt);
         const double  energy = total();
         const Vector2 before = solid->momentum();
-        run(*solid, dt, 300);
+        run(*solid, dt, steps);
         const Vector2 after = solid->momentum();
         double        scale = 0.;
         for (const Vector2 &v : solid->get_particles().half_velocity)
@@ -248,7 +250,8 @@ BOOST_AUTO_TEST_CASE(standing_wave_has_its_period)
       last = v;
     }
   const double expected = 0.5 * L / c;
-  BOOST_TEST_MESSAGE("quarter period over L/(2 c): " << passage / expected);
+  BOOST_TEST_MESSAGE("quarter period over L/(2 c) - 1: " << passage / expected -
+                                                                1.);
   BOOST_TEST(std::abs(passage / expected - 1.) < 0.02);
 }
 

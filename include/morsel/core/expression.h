@@ -26,8 +26,16 @@ namespace Morsel
     dealii::Tensor<1, 2>
     operator()(const dealii::Point<2> &x, double time) const;
 
+    /// Whether it is the same everywhere.
+    bool
+    is_uniform() const
+    {
+      return uniform;
+    }
+
   private:
     struct Parser;
+    bool                    uniform;
     std::unique_ptr<Parser> parser;
   };
 } // namespace Morsel

@@ -14,7 +14,7 @@ namespace Morsel::Measure
 
   /// Roughness of a stress field: root mean square of what a particle differs
   /// from the mean of its four neighbours in the lattice, over that of the
-  /// stress itself [1]. Only for particles on a lattice.
+  /// whole stress in the plane [1]. Only for particles on a lattice.
   struct Noise
   {
     double xx, yy;
