@@ -99,14 +99,15 @@ BOOST_AUTO_TEST_CASE(held_sides_meet_at_a_corner)
   const auto            &body = scene.particle_bodies.front();
   SPH::Solid             solid(body, scene, MPI_COMM_SELF);
   SPH::AppliedConditions conditions(scene, body, solid);
-  const double           dt = solid.stable_time_step(0.);
-  const auto            &p  = solid.get_particles();
+  // A sudden load excites what the largest step barely resolves.
+  const double dt = 0.5 * solid.stable_time_step(0.);
+  const auto  &p  = solid.get_particles();
   solid.compute_accelerations(dt);
   conditions.apply(solid, 0., dt);
   const auto e0  = solid.energies(dt);
   double     gap = 0., largest = 0., work = 0., kept = 0.;
   Vector2    impulse{0., 0.};
-  for (unsigned int k = 0; k < 400; ++k)
+  for (unsigned int k = 0; k < 800; ++k)
     {
       solid.advance(dt);
       solid.compute_accelerations(dt);
