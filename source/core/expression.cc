@@ -7,7 +7,9 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
+#include <iostream>
 #include <regex>
+#include <sstream>
 
 namespace Morsel
 {
@@ -26,6 +28,11 @@ namespace Morsel
         "1e3*min(t/0.01, 1)'";
     if (std::count(text.begin(), text.end(), ';') != 1)
       throw InputError("'" + text + "'" + advice);
+    // deal.II tells the terminal what muParser says, in lines of its own; the
+    // one sentence below serves the user.
+    std::ostringstream    unheard;
+    std::streambuf *const terminal = std::cerr.rdbuf(unheard.rdbuf());
+    bool                  good     = true;
     try
       {
         parser->function.initialize(
@@ -34,8 +41,11 @@ namespace Morsel
       }
     catch (const dealii::ExceptionBase &)
       {
-        throw InputError("'" + text + "'" + advice);
+        good = false;
       }
+    std::cerr.rdbuf(terminal);
+    if (!good)
+      throw InputError("'" + text + "'" + advice);
   }
 
 
