@@ -1,22 +1,7 @@
 #include "recorder.h"
 
-#include <cmath>
-
 namespace Morsel
 {
-  namespace
-  {
-    double
-    von_mises(const Materials::PlaneStrainStress &s)
-    {
-      return std::sqrt(0.5 * ((s.xx - s.yy) * (s.xx - s.yy) +
-                              (s.yy - s.zz) * (s.yy - s.zz) +
-                              (s.zz - s.xx) * (s.zz - s.xx)) +
-                       3. * s.xy * s.xy);
-    }
-  } // namespace
-
-
   void
   Recorder::write_frame()
   {
@@ -46,7 +31,7 @@ namespace Morsel
           }
         fragment[i] = fragments.label[i];
         density[i]  = solid.density_ratio(i) * solid.get_material().density;
-        mises[i]    = von_mises(s);
+        mises[i]    = Materials::von_mises(s);
         s_xx[i]     = s.xx;
         s_yy[i]     = s.yy;
         pressure[i] = -(s.xx + s.yy + s.zz) / 3.;

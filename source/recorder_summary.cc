@@ -281,9 +281,6 @@ namespace Morsel
   {
     const double loop      = log.wall_time() - loop_wall_begin;
     const double particles = bite.particle_count();
-    const auto  &bonds     = bite.food().get_bonds();
-    const double pairs     = dealii::Utilities::MPI::sum(
-        static_cast<double>(bonds.list.index.size()), communicator);
     summary.add(
         "deepest_penetration", deepest, "m", "of a particle into a plate");
     summary.add("inverted_particle_count",
@@ -296,7 +293,7 @@ namespace Morsel
                 "1",
                 "of the background mesh that hosts the particles");
     summary.add("neighbours_per_particle",
-                pairs / particles,
+                bite.food().neighbours_per_particle(),
                 "1",
                 "pairs of the reference configuration");
     summary.add("step_count", bite.step(), "1", "");

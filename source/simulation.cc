@@ -1,4 +1,5 @@
 #include "bite.h"
+#include "experiment_run.h"
 #include "recorder.h"
 
 #include <morsel/core/errors.h>
@@ -14,15 +15,6 @@ namespace Morsel
 {
   namespace
   {
-    void
-    print_effects(std::ostream &out, const Scene::Scene &scene)
-    {
-      for (const auto &effect : effects_of(scene))
-        out << (effect.on ? "  on   " : "  off  ") << std::left << std::setw(34)
-            << effect.name << "  (" << effect.reason << ")\n";
-    }
-
-
     /// Steps that a run is expected to take.
     double
     expected_steps(const Scene::Scene &scene, const Bite &bite)
@@ -52,6 +44,11 @@ namespace Morsel
   void
   run_simulation(const Scene::Scene &scene, const RunOptions &options)
   {
+    if (scene.rigid_bodies.empty())
+      {
+        run_experiment(scene, options);
+        return;
+      }
     const MPI_Comm communicator = MPI_COMM_WORLD;
     const bool     first_rank =
         dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
@@ -71,7 +68,7 @@ namespace Morsel
            << " s, " << options.threads << " threads on "
            << dealii::Utilities::MPI::n_mpi_processes(communicator)
            << " rank(s). Effects:\n";
-      print_effects(text, scene);
+      text << Output::effects_as_text(effects_of(scene));
       log << text.str();
     }
 
@@ -104,6 +101,8 @@ namespace Morsel
   std::string
   describe_run(const Scene::Scene &scene)
   {
+    if (scene.rigid_bodies.empty())
+      return describe_experiment(scene);
     const MPI_Comm communicator = MPI_COMM_WORLD;
     RunLog         log("", true, false);
     Bite           bite(scene, communicator, log);
@@ -125,8 +124,8 @@ namespace Morsel
     const double       steps = expected_steps(scene, bite);
     std::ostringstream text;
     text << "Scene '" << scene.name << "' is sound. Effects:\n";
-    print_effects(text, scene);
-    text << "Time step        " << bite.time_step() << " s\n"
+    text << Output::effects_as_text(effects_of(scene)) << "Time step        "
+         << bite.time_step() << " s\n"
          << "Particles        " << bite.particle_count() << '\n'
          << "Cells            " << bite.food().get_host().n_cells()
          << " (background mesh)\n"

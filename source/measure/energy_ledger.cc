@@ -16,7 +16,8 @@ namespace Morsel::Measure
   Energies::dissipated() const
   {
     return dissipated_viscosity + dissipated_damage + dissipated_bonds +
-           dissipated_friction + dissipated_granular_friction;
+           dissipated_friction + dissipated_granular_friction +
+           dissipated_damping + dissipated_artificial_stress;
   }
 
 
@@ -33,7 +34,9 @@ namespace Morsel::Measure
                      std::abs(dissipated_damage),
                      std::abs(dissipated_bonds),
                      std::abs(dissipated_friction),
-                     std::abs(dissipated_granular_friction)});
+                     std::abs(dissipated_granular_friction),
+                     std::abs(dissipated_damping),
+                     std::abs(dissipated_artificial_stress)});
   }
 
 

@@ -6,6 +6,8 @@
 
 #include <cctype>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace Morsel::Output
 {
@@ -36,6 +38,17 @@ namespace Morsel::Output
       return value;
     }
   } // namespace
+
+
+  std::string
+  effects_as_text(const std::vector<Effect> &effects)
+  {
+    std::ostringstream text;
+    for (const Effect &effect : effects)
+      text << (effect.on ? "  on   " : "  off  ") << std::left << std::setw(34)
+           << effect.name << "  (" << effect.reason << ")\n";
+    return text.str();
+  }
 
 
   void

@@ -371,11 +371,13 @@ namespace Morsel::Scene
         for (const ParticleBody &body : scene.particle_bodies)
           {
             check_numerics(body, scene, findings);
+            check_formulation(body, scene, findings);
             check_contact(body, scene, findings);
             check_loading(body, scene, findings);
           }
         for (const ContactPair &pair : scene.contact_pairs)
           check_gap(pair, scene, findings);
+        check_conditions(scene, findings);
       }
     if (!findings.clean())
       throw InputError(findings.mistakes);

@@ -1,17 +1,11 @@
-#include <morsel/core/errors.h>
 #include <morsel/core/parameters.h>
-#include <morsel/core/suggestions.h>
-#include <morsel/materials/catalogue.h>
 #include <morsel/scene/check.h>
+#include <morsel/scene/complete.h>
+#include <morsel/scene/lists.h>
 #include <morsel/scene/read.h>
 
 #include <deal.II/base/patterns.h>
-#include <deal.II/base/utilities.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <limits>
-#include <set>
 #include <sstream>
 
 namespace Morsel::Scene
@@ -21,70 +15,12 @@ namespace Morsel::Scene
     namespace Patterns = dealii::Patterns;
 
 
-    struct NamedBody
-    {
-      std::string name;
-      std::string kind;
-    };
-
-
-    /// First pass: the list of bodies, and the kind of each, on which depends
-    /// which other entries there are.
-    std::vector<NamedBody>
-    list_bodies(const std::string                 &file_name,
-                const std::vector<ParameterEntry> &entries)
-    {
-      const std::string list  = last_value(entries, "Bodies", "");
-      const std::string place = last_place(entries, "Bodies");
-      if (list.empty())
-        throw InputError((place.empty() ? file_name : place) +
-                         ": The scene has no bodies; name them, as in 'set "
-                         "Bodies = food, lower plate, upper plate'.");
-
-      std::vector<NamedBody> bodies;
-      std::set<std::string>  names;
-      for (const std::string &name :
-           dealii::Utilities::split_string_list(list, ','))
-        {
-          if (name.empty() || name.find_first_of(":/\"") != std::string::npos)
-            throw InputError(place + ": 'Bodies' = '" + list +
-                             "' is not allowed: a body's name is not empty "
-                             "and has no ':', '/' or '\"'.");
-          if (!names.insert(name).second)
-            throw InputError(place + ": 'Bodies' names '" + name + "' twice.");
-
-          const std::string path = "Body " + name + "/Kind";
-          const std::string kind = last_value(entries, path, "particles");
-          if (kind != "particles" && kind != "rigid")
-            throw InputError(last_place(entries, path) + ": '" + path +
-                             "' = '" + kind +
-                             "' is not allowed: give 'particles' or 'rigid'." +
-                             did_you_mean(kind, {"particles", "rigid"}));
-          bodies.push_back({name, kind});
-        }
-
-      // A section of a body that is not listed is most likely a misspelt name.
-      for (const ParameterEntry &entry : entries)
-        {
-          const std::string section =
-              entry.section.substr(0, entry.section.find('/'));
-          if (section.rfind("Body ", 0) == 0 &&
-              names.count(section.substr(5)) == 0)
-            throw InputError(
-                entry.where + ": The section '" + section +
-                "' is of a body that is not in 'Bodies' (" + list + ")." +
-                did_you_mean(section.substr(5), {names.begin(), names.end()}));
-        }
-      return bodies;
-    }
-
-
     /// Second pass: the scene's members bound to their entries. The scene must
     /// stay where it is while the handler is in use.
     class Declaration
     {
     public:
-      explicit Declaration(const std::vector<NamedBody> &bodies);
+      explicit Declaration(const NamedParts &parts);
 
       /// Writes derived values back, so that the printed parameters
       /// reproduce the run.
@@ -99,12 +35,22 @@ namespace Morsel::Scene
       void
       declare_body(const NamedBody &body);
 
-      std::vector<std::string> body_names;
+      /// A list of names and a section for each.
+      template <typename Part>
+      void
+      declare_named(const std::vector<std::string> &given,
+                    std::vector<std::string>       &bound,
+                    std::vector<Part>              &parts,
+                    const std::string              &thing,
+                    const std::string              &meaning);
+
+      std::vector<std::string> body_names, condition_names, observer_names;
     };
 
 
-    Declaration::Declaration(const std::vector<NamedBody> &bodies)
+    Declaration::Declaration(const NamedParts &parts)
     {
+      const std::vector<NamedBody> &bodies = parts.bodies;
       for (const NamedBody &body : bodies)
         {
           body_names.push_back(body.name);
@@ -156,6 +102,19 @@ namespace Morsel::Scene
       scene.contact.declare(prm);
       prm.leave_subsection();
 
+      declare_named(parts.conditions,
+                    condition_names,
+                    scene.conditions,
+                    "Condition",
+                    "Names of the supports and loads of particle bodies in a "
+                    "scene without plates");
+      declare_named(parts.observers,
+                    observer_names,
+                    scene.observers,
+                    "Observer",
+                    "Names of the points that are recorded in a scene without "
+                    "plates");
+
       const auto section = [this](const char *name, auto &part) {
         prm.enter_subsection(name);
         part.declare(prm);
@@ -165,6 +124,31 @@ namespace Morsel::Scene
       section("Stop", scene.stop);
       section("Output", scene.output);
       section("Measures", scene.measures);
+    }
+
+
+    template <typename Part>
+    void
+    Declaration::declare_named(const std::vector<std::string> &given,
+                               std::vector<std::string>       &bound,
+                               std::vector<Part>              &parts,
+                               const std::string              &thing,
+                               const std::string              &meaning)
+    {
+      bound = given;
+      prm.add_parameter(thing + "s",
+                        bound,
+                        meaning + "; each has a section '" + thing +
+                            " <name>'.",
+                        Patterns::List(Patterns::Anything()));
+      parts.resize(given.size());
+      for (unsigned int k = 0; k < given.size(); ++k)
+        {
+          parts[k].name = given[k];
+          prm.enter_subsection(thing + " " + given[k]);
+          parts[k].declare(prm);
+          prm.leave_subsection();
+        }
     }
 
 
@@ -241,129 +225,6 @@ namespace Morsel::Scene
     }
 
 
-    /// The bodies' bounding box with a margin of half its size, for a scene
-    /// that names no domain.
-    Rectangle
-    box_around_bodies(const Scene &scene)
-    {
-      const double     infinity = std::numeric_limits<double>::infinity();
-      dealii::Point<2> lower(infinity, infinity), upper(-infinity, -infinity);
-      const auto       enclose = [&](const Rectangle &shape) {
-        for (unsigned int d = 0; d < 2; ++d)
-          {
-            lower[d] = std::min(lower[d], shape.lower_corner[d]);
-            upper[d] = std::max(upper[d], shape.upper_corner[d]);
-          }
-      };
-      for (const ParticleBody &body : scene.particle_bodies)
-        enclose(body.shape);
-      for (const RigidBody &body : scene.rigid_bodies)
-        enclose(body.shape);
-      const dealii::Tensor<1, 2> margin = 0.5 * (upper - lower);
-      return {lower - margin, upper + margin};
-    }
-
-
-    void
-    complete_material(Materials::MaterialParameters     &material,
-                      const std::string                 &path,
-                      const std::vector<ParameterEntry> &entries)
-    {
-      if (material.name != "inline")
-        {
-          const Materials::Catalogue catalogue(
-              Materials::Catalogue::shipped_file());
-          const Materials::CatalogueEntry *const entry =
-              catalogue.find(material.name);
-          if (entry == nullptr)
-            {
-              const std::string suggestion =
-                  did_you_mean(material.name, catalogue.names());
-              throw InputError(
-                  last_place(entries, path) + ": '" + path + "' = '" +
-                  material.name + "' is not in the catalogue of materials." +
-                  (suggestion.empty()
-                       ? " There are " + quoted_list(catalogue.names()) +
-                             "; or give 'inline' and every value."
-                       : suggestion));
-            }
-          Materials::complete(material, *entry);
-        }
-      Materials::derive_strength(material);
-    }
-
-
-    /// Reads "food:plate, ..."; the order within a pair is free.
-    std::vector<ContactPair>
-    read_pairs(const std::string                 &text,
-               const Scene                       &scene,
-               const std::vector<ParameterEntry> &entries)
-    {
-      std::set<std::string> particle_names, rigid_names;
-      for (const ParticleBody &body : scene.particle_bodies)
-        particle_names.insert(body.name);
-      for (const RigidBody &body : scene.rigid_bodies)
-        rigid_names.insert(body.name);
-      std::vector<std::string> all_names(particle_names.begin(),
-                                         particle_names.end());
-      all_names.insert(all_names.end(), rigid_names.begin(), rigid_names.end());
-
-      std::vector<ContactPair> pairs;
-      if (text.empty())
-        for (const ParticleBody &food : scene.particle_bodies)
-          for (const RigidBody &plate : scene.rigid_bodies)
-            pairs.push_back({food.name, plate.name});
-
-      const std::string place = last_place(entries, "Contact/Pairs") +
-                                ": 'Contact/Pairs' = '" + text + "': ";
-      for (const std::string &item :
-           dealii::Utilities::split_string_list(text, ','))
-        {
-          const std::vector<std::string> names =
-              dealii::Utilities::split_string_list(item, ':');
-          if (names.size() != 2)
-            throw InputError(place + "'" + item +
-                             "' is not a pair; give 'food:plate'.");
-          for (const std::string &name : names)
-            if (particle_names.count(name) + rigid_names.count(name) == 0)
-              throw InputError(place + "There is no body '" + name + "'." +
-                               did_you_mean(name, all_names));
-          const bool        in_order = particle_names.count(names[0]) > 0;
-          const ContactPair pair{names[in_order ? 0 : 1],
-                                 names[in_order ? 1 : 0]};
-          if (particle_names.count(pair.food) == 0 ||
-              rigid_names.count(pair.plate) == 0)
-            throw InputError(place + "'" + item +
-                             "' must join a particle body and a rigid one.");
-          pairs.push_back(pair);
-        }
-      return pairs;
-    }
-
-
-    /// What follows from the entries: names, spacings, materials, pairs.
-    void
-    complete_scene(Declaration                       &declaration,
-                   const std::string                 &file_name,
-                   const std::vector<ParameterEntry> &entries)
-    {
-      Scene &scene = declaration.scene;
-      if (scene.name.empty())
-        scene.name = std::filesystem::path(file_name).stem().string();
-      if (last_place(entries, "Domain/Lower corner").empty() &&
-          last_place(entries, "Domain/Upper corner").empty())
-        scene.domain = box_around_bodies(scene);
-      for (ParticleBody &body : scene.particle_bodies)
-        {
-          if (body.particles_across > 0)
-            body.spacing = body.shape.extent(0) / body.particles_across;
-          complete_material(
-              body.material, "Body " + body.name + "/Material/Name", entries);
-        }
-      scene.contact_pairs = read_pairs(declaration.pairs, scene, entries);
-    }
-
-
     std::vector<ParameterEntry>
     read_entries(const std::string              &file_name,
                  const std::vector<std::string> &overrides)
@@ -382,9 +243,9 @@ namespace Morsel::Scene
   {
     const std::vector<ParameterEntry> entries =
         read_entries(file_name, overrides);
-    Declaration declaration(list_bodies(file_name, entries));
+    Declaration declaration(list_parts(file_name, entries));
     set_parameters(declaration.prm, entries);
-    complete_scene(declaration, file_name, entries);
+    complete_scene(declaration.scene, declaration.pairs, file_name, entries);
 
     Scene &scene   = declaration.scene;
     scene.warnings = check_scene(scene, entries, file_name);
@@ -405,14 +266,21 @@ namespace Morsel::Scene
     const std::vector<ParameterEntry> entries =
         of_a_scene ? read_entries(file_name, overrides)
                    : std::vector<ParameterEntry>();
-    Declaration declaration(of_a_scene
-                                ? list_bodies(file_name, entries)
-                                : std::vector<NamedBody>{{"food", "particles"},
-                                                         {"plate", "rigid"}});
+    NamedParts parts;
+    if (of_a_scene)
+      parts = list_parts(file_name, entries);
+    else
+      {
+        parts.bodies     = {{"food", "particles"}, {"plate", "rigid"}};
+        parts.conditions = {"load"};
+        parts.observers  = {"tip"};
+      }
+    Declaration declaration(parts);
     if (of_a_scene)
       {
         set_parameters(declaration.prm, entries);
-        complete_scene(declaration, file_name, entries);
+        complete_scene(
+            declaration.scene, declaration.pairs, file_name, entries);
         check_scene(declaration.scene, entries, file_name);
         declaration.write_back();
       }

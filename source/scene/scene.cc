@@ -1,8 +1,10 @@
+#include <morsel/core/expression.h>
 #include <morsel/scene/scene.h>
 
 #include <deal.II/base/patterns.h>
 
 #include <cmath>
+#include <random>
 
 namespace Morsel::Scene
 {
@@ -34,9 +36,23 @@ namespace Morsel::Scene
         "Number of particles along x; they stand on a square lattice, the "
         "first and last half a spacing inside the edges [1].",
         Patterns::Integer(0));
+    prm.add_parameter("Scatter",
+                      scatter,
+                      "Largest displacement of a particle from its place in "
+                      "the lattice along x and y, in spacings [1].",
+                      Patterns::Double(0., 0.45));
     prm.add_parameter("Initial velocity",
                       initial_velocity,
                       "Velocity 'v_x, v_y' of all particles at time 0 [m/s].");
+    prm.add_parameter("Initial velocity field",
+                      initial_velocity_field,
+                      "Velocity at time 0 that adds to it, as expressions "
+                      "'f_x; f_y' of the place x, y [m] [m/s]; none if empty.");
+    prm.add_parameter("Expected velocity gradient",
+                      expected_velocity_gradient,
+                      "Gradient 'xx, xy, yx, yy' of the velocity at time 0 "
+                      "[1/s] with which the particles' own is compared; none "
+                      "if empty.");
     prm.leave_subsection();
 
     prm.enter_subsection("Material");
@@ -59,6 +75,48 @@ namespace Morsel::Scene
     return spacing > 0. ? static_cast<unsigned int>(
                               std::lround(shape.extent(1) / spacing))
                         : 0;
+  }
+
+
+  std::vector<dealii::Point<2>>
+  ParticleBody::positions(const unsigned int seed) const
+  {
+    const unsigned int nx = particles_across, ny = particles_high();
+    std::mt19937       generator(seed);
+    // Not uniform_real_distribution, which differs between libraries.
+    const auto throw_off = [&] {
+      return scatter * spacing * (2. * (generator() / 4294967295.) - 1.);
+    };
+    std::vector<dealii::Point<2>> points;
+    points.reserve(static_cast<std::size_t>(nx) * ny);
+    for (unsigned int y = 0; y < ny; ++y)
+      for (unsigned int x = 0; x < nx; ++x)
+        {
+          dealii::Point<2> p(
+              shape.lower_corner[0] + shape.extent(0) * ((x + 0.5) / nx),
+              shape.lower_corner[1] + shape.extent(1) * ((y + 0.5) / ny));
+          if (scatter > 0.)
+            {
+              p[0] += throw_off();
+              p[1] += throw_off();
+            }
+          points.push_back(p);
+        }
+    return points;
+  }
+
+
+  std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)>
+  ParticleBody::initial_velocity_function() const
+  {
+    const dealii::Tensor<1, 2> uniform = initial_velocity;
+    if (initial_velocity_field.empty())
+      return [uniform](const dealii::Point<2> &) { return uniform; };
+    const auto field =
+        std::make_shared<VectorExpression>(initial_velocity_field);
+    return [uniform, field](const dealii::Point<2> &x) {
+      return uniform + (*field)(x, 0.);
+    };
   }
 
 
@@ -117,6 +175,12 @@ namespace Morsel::Scene
         closure_after_failure,
         "After complete failure the run goes on until the plates have closed "
         "by this further share of the food's height [1].",
+        Patterns::Double(0., 1.));
+    prm.add_parameter(
+        "Minimum spacing",
+        minimum_spacing,
+        "Without plates: the run ends when two particles of a body come closer "
+        "than this, in particle spacings [1]; 0 never ends it.",
         Patterns::Double(0., 1.));
   }
 

@@ -21,8 +21,35 @@ namespace Morsel::SPH
             p.pair_stress.data(),  p.effective.data(),
             p.acceleration.data(), p.viscous_heat.data(),
             p.driver.data(),       p.crushed.data(),
-            p.strongest.data()};
+            p.strongest.data(),    p.fit.data()};
   }
+
+
+  namespace
+  {
+    /// sum_j a_ij u_ij (x) X_ij [1].
+    Tensor2
+    displacement_moment(const Particles   &p,
+                        const Bonds       &bonds,
+                        const unsigned int i)
+    {
+      const double u_x = p.motion[i].u_x, u_y = p.motion[i].u_y;
+      Tensor2      m{0., 0., 0., 0.};
+      for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
+           ++k)
+        {
+          const Motion &j    = p.motion[bonds.list.index[k]];
+          const double  ax   = bonds.weight[k] * bonds.dx[k];
+          const double  ay   = bonds.weight[k] * bonds.dy[k];
+          const double  du_x = j.u_x - u_x, du_y = j.u_y - u_y;
+          m.xx += du_x * ax;
+          m.xy += du_x * ay;
+          m.yx += du_y * ax;
+          m.yy += du_y * ay;
+        }
+      return m;
+    }
+  } // namespace
 
 
   Tensor2
@@ -30,24 +57,7 @@ namespace Morsel::SPH
                         const Bonds       &bonds,
                         const unsigned int i)
   {
-    const double u_x = p.motion[i].u_x, u_y = p.motion[i].u_y;
-    Tensor2      m{0., 0., 0., 0.};
-    for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
-      {
-        const Motion &j    = p.motion[bonds.list.index[k]];
-        const double  ax   = bonds.weight[k] * bonds.dx[k];
-        const double  ay   = bonds.weight[k] * bonds.dy[k];
-        const double  du_x = j.u_x - u_x, du_y = j.u_y - u_y;
-        m.xx += du_x * ax;
-        m.xy += du_x * ay;
-        m.yx += du_y * ax;
-        m.yy += du_y * ay;
-      }
-    const Symmetric2 B = p.shape[i];
-    return {m.xx * B.xx + m.xy * B.xy,
-            m.xx * B.xy + m.xy * B.yy,
-            m.yx * B.xx + m.yy * B.xy,
-            m.yx * B.xy + m.yy * B.yy};
+    return product(displacement_moment(p, bonds, i), p.shape[i]);
   }
 
 
@@ -77,8 +87,10 @@ namespace Morsel::SPH
   double
   fit_residual(const Particles &p, const Bonds &bonds, const unsigned int i)
   {
-    const Tensor2 &H   = p.gradient[i];
-    double         sum = 0.;
+    const Tensor2 H   = p.fit.empty()
+                            ? p.gradient[i]
+                            : product(displacement_moment(p, bonds, i), p.fit[i]);
+    double        sum = 0.;
     for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
       {
         const Motion &j = p.motion[bonds.list.index[k]];

@@ -1,3 +1,5 @@
+#include <morsel/core/kernel.h>
+#include <morsel/sph/normalisation.h>
 #include <morsel/sph/parameters.h>
 
 #include <deal.II/base/patterns.h>
@@ -9,20 +11,36 @@ namespace Morsel::SPH
   void
   SolidParameters::declare(dealii::ParameterHandler &prm)
   {
+    prm.add_parameter(
+        "Formulation",
+        formulation,
+        "'total Lagrangian' (reference neighbours and gradients, finite "
+        "strain) or 'updated Lagrangian' (rate form with the Jaumann rate and "
+        "present neighbours).",
+        Patterns::Selection("total Lagrangian|updated Lagrangian"));
+    prm.add_parameter(
+        "Normalisation",
+        normalisation,
+        "Correction of gradients: 'none' (classical), 'Shepard' (T3-35), 'per "
+        "axis' (Johnson and Beissel 1996) or 'gradient matrix' (exact for "
+        "every linear field).",
+        Patterns::Selection(normalisation_names));
     prm.add_parameter("Kernel",
                       kernel,
-                      "Smoothing kernel: 'cubic B-spline' or 'Wendland C2'.",
-                      Patterns::Selection("cubic B-spline|Wendland C2"));
-    prm.add_parameter(
-        "Smoothing ratio",
-        smoothing_ratio,
-        "Smoothing length over particle spacing, h/dp [1]; the support is 2 h.",
-        Patterns::Double(0.9, 3.));
+                      "Smoothing kernel: 'cubic B-spline' (T3-33), 'quadratic' "
+                      "(T3-34), 'Wendland C2' or 'quintic spline'.",
+                      Patterns::Selection(kernel_names));
+    prm.add_parameter("Smoothing ratio",
+                      smoothing_ratio,
+                      "Smoothing length over particle spacing, h/dp [1]; the "
+                      "support is 2 h, of the quintic spline 3 h.",
+                      Patterns::Double(0.9, 3.));
     prm.add_parameter(
         "Hourglass coefficient",
         hourglass,
         "Stiffness of the residual of the local linear fit, in units of "
-        "Young's modulus [1]; 0 switches hourglass control off.",
+        "Young's modulus [1]; 0 switches hourglass control off. The updated "
+        "Lagrangian form has none.",
         Patterns::Double(0., 100.));
     prm.add_parameter(
         "Viscosity",
@@ -38,6 +56,16 @@ namespace Morsel::SPH
                       viscosity_beta,
                       "Quadratic coefficient of the artificial viscosity [1].",
                       Patterns::Double(0., 10.));
+    prm.add_parameter(
+        "Artificial stress",
+        artificial_stress,
+        "epsilon of the artificial stress (T3-37 to T3-43) of the updated "
+        "Lagrangian form [1]; 0 switches it off.",
+        Patterns::Double(0., 1.));
+    prm.add_parameter("Artificial stress exponent",
+                      artificial_stress_exponent,
+                      "n of (W(r)/W(dp))^n in the artificial stress [1].",
+                      Patterns::Double(0.5, 20.));
     prm.add_parameter(
         "CFL factor",
         cfl,

@@ -1,6 +1,7 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/parallel.h>
 #include <morsel/sph/solid.h>
+#include <morsel/sph/stable_step.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,16 +9,6 @@
 
 namespace Morsel::SPH
 {
-  namespace
-  {
-    double
-    sum(const std::vector<double> &x)
-    {
-      return std::accumulate(x.begin(), x.end(), 0.);
-    }
-  } // namespace
-
-
   Solid::Solid(const Scene::ParticleBody &body,
                const Scene::Scene        &scene,
                const MPI_Comm             communicator)
@@ -33,6 +24,7 @@ namespace Morsel::SPH
                       ? Materials::Softening::deviator
                       : Materials::Softening::tensile_principal)
       , hourglass_stiffness(body.solid.hourglass * material.youngs_modulus)
+      , normalisation(normalisation_named(body.solid.normalisation))
       , host(communicator,
              body.shape.lower_corner,
              body.shape.upper_corner,
@@ -47,7 +39,7 @@ namespace Morsel::SPH
                        "' can fail (Damage/Enabled = true), which runs on one "
                        "rank only: start the program without mpirun, or with "
                        "'mpirun -np 1'.");
-    fill(body);
+    fill(body, scene.seed);
     choose_loops(body);
     if (body.damage.enabled)
       make_breakable(body, scene);
@@ -55,11 +47,19 @@ namespace Morsel::SPH
 
 
   void
-  Solid::fill(const Scene::ParticleBody &body)
+  Solid::fill(const Scene::ParticleBody &body, const unsigned int seed)
   {
-    host.insert_lattice(body.shape.lower_corner,
-                        body.shape.upper_corner,
-                        body.particles_across);
+    if (body.scatter > 0.)
+      {
+        const auto                          points = body.positions(seed);
+        std::vector<ParticleHost<2>::Index> ids(points.size());
+        std::iota(ids.begin(), ids.end(), ParticleHost<2>::Index(0));
+        host.insert(points, ids);
+      }
+    else
+      host.insert_lattice(body.shape.lower_corner,
+                          body.shape.upper_corner,
+                          body.particles_across);
     const double dp     = body.spacing;
     particles.spacing   = dp;
     particles.volume    = dp * dp * depth;
@@ -70,9 +70,7 @@ namespace Morsel::SPH
     particles.id.assign(host.ids().begin(), host.ids().end());
 
     const unsigned int n = particles.n_local;
-    const auto        &v = body.initial_velocity;
-    particles.motion.assign(n, {0., 0., v[0], v[1]});
-    particles.half_velocity.assign(n, {v[0], v[1]});
+    particles.set_velocity(body.initial_velocity_function());
     particles.acceleration.assign(n, {0., 0.});
     particles.gradient.assign(n, {0., 0., 0., 0.});
     particles.pair_stress.assign(n, {0., 0., 0., 0.});
@@ -81,7 +79,19 @@ namespace Morsel::SPH
       particles.viscous_heat.assign(n, 0.);
 
     bonds.build(particles, kernel);
-    particles.shape.resize(n);
+    normalise(body);
+  }
+
+
+  void
+  Solid::normalise(const Scene::ParticleBody &body)
+  {
+    const bool own_fit = normalisation != Normalisation::gradient_matrix &&
+                         hourglass_stiffness > 0.;
+    const double area = particles.spacing * particles.spacing;
+    particles.shape.resize(particles.n_local);
+    if (own_fit)
+      particles.fit.resize(particles.n_local);
     for (unsigned int i = 0; i < particles.n_owned; ++i)
       {
         const Symmetric2 m = bonds.moment(i);
@@ -91,6 +101,16 @@ namespace Morsel::SPH
               "': its particles do not span the plane (a single row or column "
               "has no strain across it); use at least two rows and columns.");
         particles.shape[i] = inverse(m);
+        if (own_fit)
+          particles.fit[i] = particles.shape[i];
+        if (normalisation == Normalisation::gradient_matrix)
+          continue;
+        double sum = kernel.value(0.);
+        for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
+             ++k)
+          sum += kernel.value(std::sqrt(bonds.length_square(k)));
+        particles.shape[i] =
+            gradient_correction(normalisation, {m, area * sum});
       }
   }
 
@@ -116,8 +136,9 @@ namespace Morsel::SPH
                                   : softening == Materials::Softening::deviator
                                       ? 1
                                       : 2;
-    strain_loop                 = kernels.strain[linear_law][softened];
-    force_loop                  = kernels.force[viscosity][body.damage.enabled];
+    strain_loop = particles.fit.empty() ? kernels.strain[linear_law][softened]
+                                        : kernels.strain_own_fit[linear_law];
+    force_loop  = kernels.force[viscosity][body.damage.enabled];
   }
 
 
@@ -158,22 +179,20 @@ namespace Morsel::SPH
   double
   Solid::stable_time_step(const double contact_stiffness) const
   {
-    // Undamped, the lattice is stable up to about 1.0 h/c (measured), that is
-    // to a highest frequency of 2 c/h; where hourglass control is stiffer than
-    // stress, its own highest one rules: 3.4 alpha E/(rho h^2) is the largest
-    // square of it (measured over kernels and smoothing ratios). A spring of
-    // stiffness k on one particle adds k/m to the square. Linear viscosity
-    // damps the shortest wave at 1.54 alpha c/dp (sum over the lattice's
-    // pairs); evaluated at a predicted velocity it asks for
-    // w^2 dt^2/4 + g dt/2 < 1.
-    const double c = material.wave_speed;
+    // Where hourglass control is stiffer than stress, its own highest
+    // frequency rules: 3.4 alpha E/(rho h^2) is the largest square of it
+    // (measured over kernels and smoothing ratios). A spring of stiffness k on
+    // one particle adds k/m to the square.
     const double w2 =
-        std::max(4. * c * c, 3.4 * hourglass_stiffness / material.density) /
-            (kernel.h * kernel.h) +
+        std::max(square_of_highest_frequency(material.wave_speed, kernel.h),
+                 3.4 * hourglass_stiffness /
+                     (material.density * kernel.h * kernel.h)) +
         contact_stiffness / particles.mass;
-    const double g =
-        viscosity ? 1.54 * constants.viscosity_alpha_c / particles.spacing : 0.;
-    return cfl * (std::sqrt(0.25 * g * g + w2) - 0.5 * g) * 2. / w2;
+    const double g = viscosity
+                         ? viscous_damping_rate(constants.viscosity_alpha_c,
+                                                particles.spacing)
+                         : 0.;
+    return cfl * largest_stable_step(w2, g);
   }
 
 
@@ -264,101 +283,6 @@ namespace Morsel::SPH
       return;
     for (const unsigned int i : near)
       particles.near_face[i] = 1;
-  }
-
-
-  SolidEnergies
-  Solid::energies(const double time_step) const
-  {
-    SolidEnergies e;
-    for (unsigned int i = 0; i < particles.n_owned; ++i)
-      {
-        const double half = started ? 0.5 * time_step : 0.;
-        const double v_x =
-            particles.half_velocity[i].x + half * particles.acceleration[i].x;
-        const double v_y =
-            particles.half_velocity[i].y + half * particles.acceleration[i].y;
-        e.kinetic += 0.5 * particles.mass * (v_x * v_x + v_y * v_y);
-        if (fracture && particles.failed[i])
-          continue;
-        e.strain += particles.volume *
-                    Materials::stored_energy(
-                        softening,
-                        material,
-                        response_at(particles, material, linear_law, i),
-                        fracture ? particles.damage[i] : 0.);
-        e.hourglass +=
-            particles.hourglass[i] * fit_residual(particles, bonds, i);
-      }
-    e.viscous_heat = sum(particles.viscous_heat);
-    if (fracture)
-      {
-        e.damage_heat   = sum(particles.damage_heat);
-        e.bond_heat     = fracture->bond_heat();
-        e.granular      = granular->stored_energy();
-        e.friction_heat = granular->friction_heat();
-        e.viscous_heat += granular->viscous_heat();
-      }
-    double *const all = &e.strain;
-    host.sum(dealii::ArrayView<double>(all, sizeof(e) / sizeof(double)));
-    return e;
-  }
-
-
-  Vector2
-  Solid::momentum() const
-  {
-    Vector2 p{0., 0.};
-    for (unsigned int i = 0; i < particles.n_owned; ++i)
-      {
-        p.x += particles.mass * particles.half_velocity[i].x;
-        p.y += particles.mass * particles.half_velocity[i].y;
-      }
-    host.sum(dealii::ArrayView<double>(&p.x, 2));
-    return p;
-  }
-
-
-  Materials::PlaneStrainStress
-  Solid::stress(const unsigned int i) const
-  {
-    if (fracture && particles.failed[i])
-      return granular->stress(i);
-    return Materials::soften(softening,
-                             response_at(particles, material, linear_law, i),
-                             fracture ? particles.damage[i] : 0.);
-  }
-
-
-  double
-  Solid::density_ratio(const unsigned int i) const
-  {
-    if (fracture && particles.failed[i])
-      return granular->density_ratio(i);
-    return 1. / response_at(particles, material, linear_law, i).jacobian;
-  }
-
-
-  unsigned int
-  Solid::inverted_count() const
-  {
-    unsigned int count = 0;
-    for (unsigned int i = 0; i < particles.n_owned; ++i)
-      count += !(density_ratio(i) > 0.) || !std::isfinite(density_ratio(i));
-    return count;
-  }
-
-
-  long
-  Solid::first_not_finite() const
-  {
-    for (unsigned int i = 0; i < particles.n_owned; ++i)
-      {
-        const Motion &m = particles.motion[i];
-        if (!std::isfinite(m.u_x + m.u_y + m.v_x + m.v_y))
-          return i;
-      }
-    return -1;
   }
 
 

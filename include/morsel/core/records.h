@@ -26,6 +26,25 @@ namespace Morsel
   };
 
 
+  /// A plane 2x2 tensor [xx, xy, yx, yy]; kept as four plain doubles because
+  /// the pair loops move whole records of it.
+  struct Tensor2
+  {
+    double xx, xy, yx, yy;
+  };
+
+
+  /// A B.
+  inline Tensor2
+  product(const Tensor2 &A, const Symmetric2 &B)
+  {
+    return {A.xx * B.xx + A.xy * B.xy,
+            A.xx * B.xy + A.xy * B.yy,
+            A.yx * B.xx + A.yy * B.xy,
+            A.yx * B.xy + A.yy * B.yy};
+  }
+
+
   /// What contact needs to know of the particles that press on a surface.
   struct ParticleSide
   {

@@ -1,6 +1,8 @@
 #ifndef morsel_materials_elasticity_h
 #define morsel_materials_elasticity_h
 
+#include <morsel/core/records.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,12 +33,7 @@ namespace Morsel::Materials
   };
 
 
-  /// A plane 2x2 tensor [xx, xy, yx, yy]; kept as four plain doubles because
-  /// the pair loops move whole records of it.
-  struct Tensor2
-  {
-    double xx, xy, yx, yy;
-  };
+  using Morsel::Tensor2;
 
 
   /// A symmetric stress in plane strain, with its out-of-plane component.
@@ -44,6 +41,16 @@ namespace Morsel::Materials
   {
     double xx, yy, xy, zz; ///< [Pa]
   };
+
+
+  inline double
+  von_mises(const PlaneStrainStress &s)
+  {
+    return std::sqrt(0.5 * ((s.xx - s.yy) * (s.xx - s.yy) +
+                            (s.yy - s.zz) * (s.yy - s.zz) +
+                            (s.zz - s.xx) * (s.zz - s.xx)) +
+                     3. * s.xy * s.xy);
+  }
 
 
   /// Elastic response at one deformation: Kirchhoff-like parts kept apart so

@@ -24,6 +24,8 @@ namespace Morsel::Measure
     double dissipated_bonds             = 0.; ///< stored in bonds that broke
     double dissipated_friction          = 0.;
     double dissipated_granular_friction = 0.;
+    double dissipated_damping           = 0.;
+    double dissipated_artificial_stress = 0.; ///< may be negative
 
     double
     stored() const;

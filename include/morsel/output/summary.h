@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace Morsel::Output
 {
@@ -16,6 +17,11 @@ namespace Morsel::Output
     std::string reason;         ///< who asked for it
     double      wall_time = 0.; ///< [s]
   };
+
+
+  /// A line for each: on or off, and who asked for it.
+  std::string
+  effects_as_text(const std::vector<Effect> &effects);
 
 
   /// What a run found, for summary.json. Keys keep their order of insertion.

@@ -68,6 +68,19 @@ namespace Morsel::Scene
   check_geometry(const Scene &scene, Findings &findings);
 
 
+  /// Checks that formulation, normalisation, kernel and corrections of a
+  /// body go together.
+  void
+  check_formulation(const ParticleBody &body,
+                    const Scene        &scene,
+                    Findings           &findings);
+
+
+  /// Checks supports, loads, observers and fields of velocity.
+  void
+  check_conditions(const Scene &scene, Findings &findings);
+
+
   /// Overlap of two rectangles: the smaller of their common extents [m],
   /// negative where there is a gap.
   double

@@ -4,42 +4,32 @@
 #include <morsel/contact/parameters.h>
 #include <morsel/jaw/motion.h>
 #include <morsel/materials/parameters.h>
+#include <morsel/scene/conditions.h>
+#include <morsel/scene/rectangle.h>
 #include <morsel/sph/parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace Morsel::Scene
 {
-  /// An axis-parallel rectangle [m].
-  struct Rectangle
-  {
-    dealii::Point<2> lower_corner;
-    dealii::Point<2> upper_corner;
-
-    void
-    declare(dealii::ParameterHandler &prm);
-
-    /// Extent in a direction [m].
-    double
-    extent(unsigned int direction) const
-    {
-      return upper_corner[direction] - lower_corner[direction];
-    }
-  };
-
-
-  /// A body of particles: the food.
+  /// A body of particles: the food, or any other solid.
   struct ParticleBody
   {
-    std::string                   name;
-    Rectangle                     shape;
-    unsigned int                  particles_across = 0;  ///< along x
-    double                        spacing          = 0.; ///< dp [m], derived
-    dealii::Point<2>              initial_velocity;      ///< [m/s]
+    std::string      name;
+    Rectangle        shape;
+    unsigned int     particles_across = 0;   ///< along x
+    double           spacing          = 0.;  ///< dp [m], derived
+    double           scatter          = 0.;  ///< in spacings [1]
+    dealii::Point<2> initial_velocity;       ///< [m/s]
+    std::string      initial_velocity_field; ///< adds to it [m/s]
+    /// Known gradient of the velocity at time 0, xx, xy, yx, yy [1/s]; empty
+    /// where it is not asked for.
+    std::string                   expected_velocity_gradient;
     Materials::MaterialParameters material; ///< completed from the catalogue
     Materials::DamageParameters   damage;
     SPH::SolidParameters          solid;
@@ -50,6 +40,16 @@ namespace Morsel::Scene
     /// Rows of particles along y that fill the shape.
     unsigned int
     particles_high() const;
+
+    /// The lattice's points, row by row along x, each thrown off its place by
+    /// up to `scatter` spacings along x and y [m].
+    std::vector<dealii::Point<2>>
+    positions(unsigned int seed) const;
+
+    /// Velocity at time 0 as a function of the place [m/s].
+    /// @throws InputError if the field is no expression.
+    std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)>
+    initial_velocity_function() const;
   };
 
 
@@ -94,6 +94,8 @@ namespace Morsel::Scene
     /// ... and the plates have closed this much further, relative to the
     /// food's height [1]. 0 with a residual force of 0: never.
     double closure_after_failure = 0.01;
+    /// Smallest distance of two particles, in spacings [1]; 0: never.
+    double minimum_spacing = 0.;
 
     void
     declare(dealii::ParameterHandler &prm);
@@ -132,6 +134,8 @@ namespace Morsel::Scene
     std::vector<ParticleBody>  particle_bodies;
     std::vector<RigidBody>     rigid_bodies;
     std::vector<ContactPair>   contact_pairs;
+    std::vector<Condition>     conditions;
+    std::vector<Observer>      observers;
     Contact::ContactParameters contact;
     TimeParameters             time;
     StopParameters             stop;

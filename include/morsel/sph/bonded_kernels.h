@@ -81,7 +81,9 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     }
 
 
-    template <bool linear_law, Softened softened>
+    /// @tparam own_fit the gradient is not the least-squares fit, so that the
+    ///   hourglass term needs the fit's matrix beside the gradient's.
+    template <bool linear_law, Softened softened, bool own_fit>
     MORSEL_INLINE void
     strain_row(const BondedArrays    &a,
                const BondedConstants &c,
@@ -194,16 +196,30 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
                return &a.hourglass[row.particle(l)];
              });
       scatter_records(row.to(a.gradient), row.n, H_xx, H_xy, H_yx, H_yy);
+      V fit_xx = H_xx, fit_xy = H_xy, fit_yx = H_yx, fit_yy = H_yy;
+      if constexpr (own_fit)
+        {
+          const V C_xx = gather(
+              [&](unsigned int l) { return &a.fit[row.particle(l)].xx; });
+          const V C_yy = gather(
+              [&](unsigned int l) { return &a.fit[row.particle(l)].yy; });
+          const V C_xy = gather(
+              [&](unsigned int l) { return &a.fit[row.particle(l)].xy; });
+          fit_xx = m_xx * C_xx + m_xy * C_xy;
+          fit_xy = m_xx * C_xy + m_xy * C_yy;
+          fit_yx = m_yx * C_xx + m_yy * C_xy;
+          fit_yy = m_yx * C_xy + m_yy * C_yy;
+        }
       scatter_records(row.to(a.pair_stress),
                       row.n,
-                      P_xx * B_xx + P_xy * B_xy - hg * H_xx,
-                      P_xx * B_xy + P_xy * B_yy - hg * H_xy,
-                      P_yx * B_xx + P_yy * B_xy - hg * H_yx,
-                      P_yx * B_xy + P_yy * B_yy - hg * H_yy);
+                      P_xx * B_xx + P_xy * B_xy - hg * fit_xx,
+                      P_xx * B_xy + P_xy * B_yy - hg * fit_xy,
+                      P_yx * B_xx + P_yy * B_xy - hg * fit_yx,
+                      P_yx * B_xy + P_yy * B_yy - hg * fit_yy);
     }
 
 
-    template <bool linear_law, Softened softened>
+    template <bool linear_law, Softened softened, bool own_fit = false>
     void
     strain_loop(const BondedArrays    &a,
                 const BondedConstants &c,
@@ -219,7 +235,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
                 continue;
             }
           for (unsigned int offset = 0; offset < group_size; offset += lanes)
-            strain_row<linear_law, softened>(a, c, g, offset);
+            strain_row<linear_law, softened, own_fit>(a, c, g, offset);
         }
     }
 

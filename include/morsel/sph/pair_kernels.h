@@ -40,6 +40,7 @@ namespace Morsel::SPH
     double                       *viscous_heat, *driver;
     char                         *crushed;
     double                       *strongest; ///< of each group
+    const Symmetric2 *fit; ///< least-squares matrix where shape is another one
   };
 
 
@@ -133,6 +134,9 @@ namespace Morsel::SPH
     unsigned int lanes;
     /// [linear law][no damage, softened deviator, softened principal].
     Strain strain[2][3];
+    /// [linear law]: undamaged, with a gradient that is not the
+    /// least-squares fit.
+    Strain strain_own_fit[2];
     /// [viscosity][hourglass stiffness that varies].
     Force force[2][2];
     /// [driver]: of each particle's own stress with the tensile cut-off.

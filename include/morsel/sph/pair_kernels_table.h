@@ -24,6 +24,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
          {strain_loop<true, intact>,
           strain_loop<true, softened_deviator>,
           strain_loop<true, softened_principal>}},
+        {strain_loop<false, intact, true>, strain_loop<true, intact, true>},
         {{force_loop<false, false>, force_loop<false, true>},
          {force_loop<true, false>, force_loop<true, true>}},
         {own_driver<tensile_stress>,

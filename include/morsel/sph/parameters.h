@@ -10,8 +10,10 @@ namespace Morsel::SPH
   /// Numerical choices of one particle body.
   struct SolidParameters
   {
-    std::string kernel = "cubic B-spline";
-    /// Smoothing length over particle spacing, h/dp [1]; support is 2h.
+    std::string formulation   = "total Lagrangian";
+    std::string normalisation = "gradient matrix";
+    std::string kernel        = "cubic B-spline";
+    /// Smoothing length over particle spacing, h/dp [1].
     double smoothing_ratio = 1.3;
     /// Coefficient of the linear-fit residual hourglass control [1]; 0 = off.
     double hourglass = 0.5;
@@ -19,11 +21,20 @@ namespace Morsel::SPH
     std::string viscosity       = "auto"; ///< auto|on|off
     double      viscosity_alpha = 1.;
     double      viscosity_beta  = 2.;
+    /// Artificial stress (T3-37 to T3-43) [1]; 0 = off.
+    double artificial_stress          = 0.;
+    double artificial_stress_exponent = 4.;
     /// Time step over the largest stable one [1].
     double cfl = 0.75;
 
     void
     declare(dealii::ParameterHandler &prm);
+
+    bool
+    is_updated() const
+    {
+      return formulation == "updated Lagrangian";
+    }
   };
 } // namespace Morsel::SPH
 

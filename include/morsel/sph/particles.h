@@ -32,8 +32,11 @@ namespace Morsel::SPH
 
     std::vector<Materials::Tensor2> gradient; ///< H = F - I [1], owned
     std::vector<Symmetric2>         shape;    ///< B [1], owned
-    std::vector<PairStress>         pair_stress;
-    std::vector<double>             hourglass; ///< alpha E (1 - D) [Pa]
+    /// (sum_j a_ij X_ij (x) X_ij)^-1 [1], owned; allocated only where the shape
+    /// is another matrix.
+    std::vector<Symmetric2> fit;
+    std::vector<PairStress> pair_stress;
+    std::vector<double>     hourglass; ///< alpha E (1 - D) [Pa]
 
     /// Energy turned into heat by artificial viscosity so far [J], owned;
     /// allocated only with viscosity.
@@ -56,6 +59,21 @@ namespace Morsel::SPH
     n_groups() const
     {
       return (n_owned + group_size - 1) / group_size;
+    }
+
+    /// Sets the velocities at time 0 [m/s], from the reference positions.
+    template <typename Function>
+    void
+    set_velocity(const Function &velocity)
+    {
+      motion.resize(n_local);
+      half_velocity.resize(n_local);
+      for (unsigned int i = 0; i < n_local; ++i)
+        {
+          const dealii::Tensor<1, 2> v = velocity(reference[i]);
+          motion[i]                    = {0., 0., v[0], v[1]};
+          half_velocity[i]             = {v[0], v[1]};
+        }
     }
 
     dealii::Point<2>

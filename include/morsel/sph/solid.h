@@ -3,9 +3,11 @@
 
 #include <morsel/scene/scene.h>
 #include <morsel/sph/bonds.h>
+#include <morsel/sph/deformable_body.h>
 #include <morsel/sph/fracture.h>
 #include <morsel/sph/granular.h>
 #include <morsel/sph/host.h>
+#include <morsel/sph/normalisation.h>
 #include <morsel/sph/pair_loops.h>
 #include <morsel/sph/particles.h>
 
@@ -13,29 +15,15 @@
 
 namespace Morsel::SPH
 {
-  /// Energies of one body [J].
-  struct SolidEnergies
-  {
-    double strain        = 0.; ///< recoverable, of live particles
-    double hourglass     = 0.; ///< of the residual of the linear fit
-    double kinetic       = 0.;
-    double granular      = 0.; ///< recoverable, of grains and pairs
-    double damage_heat   = 0.;
-    double bond_heat     = 0.;
-    double viscous_heat  = 0.;
-    double friction_heat = 0.;
-  };
-
-
   /// A body of particles: total Lagrangian, normalised by the gradient
-  /// matrix in strain and force, with damage and granular response where the
-  /// scene asks for them.
+  /// matrix (or as the scene asks) in strain and force, with damage and
+  /// granular response where the scene asks for them.
   ///
   /// Call order of a step: compute_accelerations(), add_grain_forces(),
   /// apply_forces() for each contact, grow_damage(), advance(),
   /// advance_grains(). Sums (energies, momentum, counts) are over all ranks
   /// and collective.
-  class Solid
+  class Solid final : public DeformableBody
   {
   public:
     /// Fills the body's shape on the ranks of @p communicator.
@@ -47,29 +35,29 @@ namespace Morsel::SPH
     /// The body's CFL factor times the largest stable step [s], with a
     /// contact of @p contact_stiffness [N/m] per particle.
     double
-    stable_time_step(double contact_stiffness) const;
+    stable_time_step(double contact_stiffness) const override;
 
     void
-    compute_accelerations(double time_step);
+    compute_accelerations(double time_step) override;
 
     /// Forces of unbonded pairs; nothing where nothing has failed.
     void
-    add_grain_forces(double time_step);
+    add_grain_forces(double time_step) override;
 
     void
     apply_forces(const std::vector<ParticleForce> &forces);
 
     /// Damage growth and broken bonds of this step.
     void
-    grow_damage(double time_step);
+    grow_damage(double time_step) override;
 
     /// Leapfrog: half velocities and displacements.
     void
-    advance(double time_step);
+    advance(double time_step) override;
 
     /// Density and stress of the grains.
     void
-    advance_grains(double time_step);
+    advance_grains(double time_step) override;
 
     /// Marks the particles in whose stress numerical tension is expected.
     void
@@ -77,18 +65,33 @@ namespace Morsel::SPH
 
     /// Energies at the time of the last compute_accelerations().
     SolidEnergies
-    energies(double time_step) const;
+    energies(double time_step) const override;
 
     /// Linear momentum at the last half step [kg m/s].
     Vector2
-    momentum() const;
+    momentum() const override;
 
     /// Cauchy stress that a particle carries [Pa].
     Materials::PlaneStrainStress
-    stress(unsigned int i) const;
+    stress(unsigned int i) const override;
+
+    Materials::Tensor2
+    velocity_gradient(unsigned int i) const override;
+
+    std::vector<Vector2>
+    surface_vectors() const override;
+
+    double
+    neighbours_per_particle() const override;
+
+    Particles &
+    state() override
+    {
+      return particles;
+    }
 
     const Particles &
-    get_particles() const
+    get_particles() const override
     {
       return particles;
     }
@@ -100,7 +103,7 @@ namespace Morsel::SPH
     }
 
     const Materials::Elasticity &
-    get_material() const
+    get_material() const override
     {
       return material;
     }
@@ -134,7 +137,7 @@ namespace Morsel::SPH
 
     /// Density over reference density [1].
     double
-    density_ratio(unsigned int i) const;
+    density_ratio(unsigned int i) const override;
 
     /// Particles that are not finite or turned inside out.
     unsigned int
@@ -146,7 +149,10 @@ namespace Morsel::SPH
 
   private:
     void
-    fill(const Scene::ParticleBody &body);
+    fill(const Scene::ParticleBody &body, unsigned int seed);
+
+    void
+    normalise(const Scene::ParticleBody &body);
 
     void
     choose_loops(const Scene::ParticleBody &body);
@@ -161,6 +167,7 @@ namespace Morsel::SPH
     const bool                  linear_law;
     const Materials::Softening  softening;
     const double                hourglass_stiffness; ///< alpha E [Pa]
+    const Normalisation         normalisation;
 
     ParticleHost<2> host;
     Particles       particles;

@@ -1,0 +1,42 @@
+#ifndef morsel_measure_particle_field_h
+#define morsel_measure_particle_field_h
+
+#include <morsel/scene/scene.h>
+#include <morsel/sph/deformable_body.h>
+
+namespace Morsel::Measure
+{
+  /// Smallest distance of two particles now, in spacings [1]; 2 where it is
+  /// more than that.
+  double
+  smallest_spacing(const SPH::Particles &particles);
+
+
+  /// Roughness of a stress field: root mean square of what a particle differs
+  /// from the mean of its four neighbours in the lattice, over that of the
+  /// whole stress in the plane [1]. Only for particles on a lattice.
+  struct Noise
+  {
+    double xx, yy;
+  };
+
+  Noise
+  stress_noise(const SPH::DeformableBody &body, unsigned int particles_across);
+
+
+  /// Largest error of the velocity gradient's symmetric part [1/s], by where
+  /// particles stand: with a full support, in the outermost row with a full
+  /// support along it, and in the corners.
+  struct GradientErrors
+  {
+    double interior, edge, corner;
+  };
+
+  GradientErrors
+  strain_rate_errors(const SPH::DeformableBody &body,
+                     const Scene::ParticleBody &shape,
+                     double                     support,
+                     const Tensor2             &expected);
+} // namespace Morsel::Measure
+
+#endif

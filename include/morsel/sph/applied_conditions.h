@@ -1,0 +1,157 @@
+#ifndef morsel_sph_applied_conditions_h
+#define morsel_sph_applied_conditions_h
+
+#include <morsel/core/expression.h>
+#include <morsel/scene/scene.h>
+#include <morsel/sph/deformable_body.h>
+
+#include <memory>
+#include <vector>
+
+namespace Morsel::SPH
+{
+  /// One support, load or prescribed motion on the particles of a body, and
+  /// the account of what it gives to them.
+  ///
+  /// Particles stand half a spacing inside of the edge. A traction is given
+  /// out in proportion to their surface vectors, so that a constant stress
+  /// is in balance with it particle by particle. Motion is prescribed to what
+  /// a line through the two outermost particles of a row says of the edge.
+  class AppliedCondition
+  {
+  public:
+    struct Gap
+    {
+      double gap, speed; ///< [m/s]
+    };
+
+    AppliedCondition(const Scene::Condition    &condition,
+                     const Scene::ParticleBody &body,
+                     const DeformableBody      &solid,
+                     double                     depth);
+
+    /// Adds forces [N] to the accelerations at time @p time.
+    /// @param half_step of the velocities from the last half step to
+    ///   @p time [s]: 0 at first.
+    void
+    add_forces(Particles &particles, double time, double half_step);
+
+    /// Prepares the velocities to prescribe at the half step to come.
+    void
+    set_targets(const Particles &particles, double time, double time_step);
+
+    /// Corrects accelerations towards the prescribed velocities.
+    /// @param kick by which the velocities are going to advance [s]
+    /// @return the largest gap before the correction, and the largest speed.
+    Gap
+    correct(Particles &particles, double kick);
+
+    /// Books work and impulse of the forces now in effect.
+    void
+    account(const Particles &particles, double half_step, double kick);
+
+    /// Total force now in effect [N].
+    Vector2
+    force() const
+    {
+      return total;
+    }
+
+    /// Impulse until the last half step [N s].
+    Vector2
+    impulse() const
+    {
+      return given;
+    }
+
+    /// Work until the present time [J]; negative of a damping.
+    double
+    work() const
+    {
+      return done + 0.5 * to_come;
+    }
+
+    bool
+    is_damping() const
+    {
+      return condition.kind == "damping";
+    }
+
+    bool
+    prescribes_motion() const
+    {
+      return condition.prescribes_motion();
+    }
+
+  private:
+    struct Loaded
+    {
+      unsigned int particle;
+      double       share; ///< m^2, 1, or kg
+      Vector2      force; ///< [N]
+    };
+
+    /// c v_first + (1 - c) v_second is prescribed.
+    struct Prescribed
+    {
+      unsigned int first, second;
+      double       c;
+      Vector2      target, reaction; ///< [m/s], [N]
+    };
+
+    void
+    load_particles(const Scene::ParticleBody &body,
+                   const DeformableBody      &solid,
+                   double                     depth);
+
+    void
+    prescribe_particles(const Scene::ParticleBody &body,
+                        const Particles           &particles);
+
+    bool
+    concerns(const dealii::Point<2> &x) const;
+
+    const Scene::Condition  condition;
+    VectorExpression        value;
+    std::vector<Loaded>     loaded;
+    std::vector<Prescribed> prescribed;
+
+    Vector2 total{0., 0.}, given{0., 0.}, impulse_to_come{0., 0.};
+    double  done = 0., to_come = 0.;
+  };
+
+
+  /// All conditions of one body.
+  class AppliedConditions
+  {
+  public:
+    AppliedConditions(const Scene::Scene        &scene,
+                      const Scene::ParticleBody &body,
+                      const DeformableBody      &solid);
+
+    /// Turns the accelerations of the inner forces into those with all
+    /// conditions, once a step, after compute_accelerations().
+    void
+    apply(DeformableBody &solid, double time, double time_step);
+
+    const std::vector<std::unique_ptr<AppliedCondition>> &
+    list() const
+    {
+      return conditions;
+    }
+
+    /// The place of each in Scene::conditions.
+    const std::vector<unsigned int> &
+    numbers() const
+    {
+      return places;
+    }
+
+  private:
+    std::vector<std::unique_ptr<AppliedCondition>> conditions;
+    std::vector<unsigned int>                      places;
+    bool                                           started = false;
+  };
+} // namespace Morsel::SPH
+
+#endif

@@ -1,0 +1,217 @@
+#include "experiment_recorder.h"
+
+#include <morsel/core/errors.h>
+#include <morsel/measure/particle_field.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Morsel
+{
+  namespace
+  {
+    std::vector<std::string>
+    history_columns(const Scene::Scene &scene)
+    {
+      std::vector<std::string> c = {"time [s]", "step [1]"};
+      for (const auto &observer : scene.observers)
+        for (const char *column : {"displacement_x_% [m]",
+                                   "displacement_y_% [m]",
+                                   "velocity_x_% [m/s]",
+                                   "velocity_y_% [m/s]",
+                                   "stress_xx_% [Pa]",
+                                   "stress_yy_% [Pa]",
+                                   "stress_xy_% [Pa]"})
+          {
+            std::string text = column;
+            text.replace(text.find('%'), 1, underscored(observer.name));
+            c.push_back(text);
+          }
+      for (const auto &condition : scene.conditions)
+        for (const char d : {'x', 'y'})
+          c.push_back(std::string("force_") + d + "_" +
+                      underscored(condition.name) + " [N]");
+      c.insert(c.end(),
+               {"strain_energy [J]",
+                "hourglass_energy [J]",
+                "kinetic_energy [J]",
+                "external_work [J]",
+                "dissipated_viscosity [J]",
+                "dissipated_damping [J]",
+                "dissipated_artificial_stress [J]",
+                "energy_error [1]",
+                "momentum_error [1]",
+                "minimum_spacing [1]"});
+      return c;
+    }
+  } // namespace
+
+
+  ExperimentRecorder::ExperimentRecorder(const Scene::Scene &scene,
+                                         const RunOptions   &options,
+                                         const Experiment   &experiment,
+                                         RunLog             &log)
+      : scene(scene)
+      , options(options)
+      , experiment(experiment)
+      , log(log)
+      , energy(experiment.energies())
+      , momentum(experiment.momentum())
+      , loop_wall_begin(log.wall_time())
+  {
+    for (const auto &observer : scene.observers)
+      {
+        const unsigned int body = experiment.index_of(observer.body);
+        observed.push_back(
+            {body,
+             Measure::Probe(experiment.bodies()[body]->get_particles(),
+                            observer.point),
+             {}});
+      }
+    history = std::make_unique<Output::History>(
+        options.output_directory + "/history.csv", history_columns(scene));
+    if (scene.output.fields)
+      for (const auto &body : scene.particle_bodies)
+        frames.push_back(std::make_unique<Output::Frames<0>>(
+            options.output_directory + "/solution",
+            underscored(body.name),
+            MPI_COMM_SELF));
+    summarise_velocity_gradients();
+  }
+
+
+  void
+  ExperimentRecorder::follow()
+  {
+    for (unsigned int k = 0; k < observed.size(); ++k)
+      if (scene.observers[k].frequency != "none")
+        {
+          Observed     &o = observed[k];
+          const Vector2 u = o.probe.displacement(
+              experiment.bodies()[o.body]->get_particles());
+          o.passages.add(experiment.time(),
+                         scene.observers[k].frequency == "x" ? u.x : u.y);
+        }
+    const double tolerance = 1e-9 * scene.time.end_time;
+    if (experiment.time() >= next_sample - tolerance)
+      {
+        sample();
+        next_sample += scene.time.end_time / scene.output.history_samples;
+      }
+    if (!frames.empty() && experiment.time() >= next_frame - tolerance)
+      {
+        write_frame();
+        next_frame +=
+            scene.time.end_time / std::max(1u, scene.output.field_frames);
+      }
+  }
+
+
+  bool
+  ExperimentRecorder::finished() const
+  {
+    return experiment.time() >= scene.time.end_time * (1. - 1e-9) ||
+           least_spacing < scene.stop.minimum_spacing;
+  }
+
+
+  void
+  ExperimentRecorder::sample()
+  {
+    const auto timer = log.section("measures");
+    experiment.check_finite();
+    last_sample_time                     = experiment.time();
+    const Measure::Energies e            = experiment.energies();
+    const double            energy_error = energy.record(e, 0.);
+    const double            momentum_error =
+        momentum.record(experiment.momentum(), experiment.impulses());
+    double spacing = 2.;
+    for (const auto &body : experiment.bodies())
+      spacing =
+          std::min(spacing, Measure::smallest_spacing(body->get_particles()));
+    least_spacing = std::min(least_spacing, spacing);
+
+    std::vector<double> row = {experiment.time(),
+                               static_cast<double>(experiment.step())};
+    for (const Observed &o : observed)
+      {
+        const auto   &body = *experiment.bodies()[o.body];
+        const Vector2 u    = o.probe.displacement(body.get_particles());
+        const Vector2 v    = o.probe.velocity(body.get_particles());
+        const auto    s    = o.probe.stress(body);
+        row.insert(row.end(), {u.x, u.y, v.x, v.y, s.xx, s.yy, s.xy});
+      }
+    for (unsigned int k = 0; k < scene.conditions.size(); ++k)
+      {
+        const Vector2 f = experiment.force(k);
+        row.insert(row.end(), {f.x, f.y});
+      }
+    row.insert(row.end(),
+               {e.strain,
+                e.hourglass,
+                e.kinetic,
+                e.external_work,
+                e.dissipated_viscosity,
+                e.dissipated_damping,
+                e.dissipated_artificial_stress,
+                energy_error,
+                momentum_error,
+                spacing});
+    history->add_row(row);
+  }
+
+
+  void
+  ExperimentRecorder::write_frame()
+  {
+    using Field      = Output::Field;
+    const auto timer = log.section("output");
+    last_frame_time  = experiment.time();
+    for (unsigned int b = 0; b < frames.size(); ++b)
+      {
+        const auto                   &body = *experiment.bodies()[b];
+        const auto                   &p    = body.get_particles();
+        const unsigned int            n    = p.n_owned;
+        std::vector<dealii::Point<2>> points(n);
+        std::vector<double> u, v, density(n), mises(n), xx(n), yy(n), xy(n);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const Motion &m = p.motion[i];
+            const auto    s = body.stress(i);
+            points[i]       = p.position(i);
+            u.insert(u.end(), {m.u_x, m.u_y});
+            v.insert(v.end(), {m.v_x, m.v_y});
+            density[i] = body.density_ratio(i) * body.get_material().density;
+            mises[i]   = Materials::von_mises(s);
+            xx[i]      = s.xx;
+            yy[i]      = s.yy;
+            xy[i]      = s.xy;
+          }
+        const std::vector<Field> fields = {
+            {"displacement", Field::Kind::vector, u},
+            {"velocity", Field::Kind::vector, v},
+            {"density", Field::Kind::scalar, density},
+            {"von_mises", Field::Kind::scalar, mises},
+            {"stress_xx", Field::Kind::scalar, xx},
+            {"stress_yy", Field::Kind::scalar, yy},
+            {"stress_xy", Field::Kind::scalar, xy}};
+        frames[b]->write(experiment.time(), points, fields);
+      }
+  }
+
+
+  void
+  ExperimentRecorder::finish()
+  {
+    if (last_sample_time < experiment.time())
+      sample();
+    log.end_progress();
+    if (!frames.empty() && last_frame_time < experiment.time())
+      write_frame();
+    summarise_observers();
+    summarise_bodies();
+    summarise_ledgers();
+    summarise_run();
+    summary.write(options.output_directory + "/summary.json");
+  }
+} // namespace Morsel

@@ -1,0 +1,101 @@
+#ifndef morsel_source_experiment_recorder_h
+#define morsel_source_experiment_recorder_h
+
+#include "experiment.h"
+
+#include <morsel/core/run_options.h>
+#include <morsel/measure/probe.h>
+#include <morsel/output/frames.h>
+#include <morsel/output/history.h>
+#include <morsel/output/summary.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Morsel
+{
+  /// Follows the run of a scene without plates: observed points, loads,
+  /// ledgers, fields, and the summary at its end.
+  class ExperimentRecorder
+  {
+  public:
+    /// Opens the outputs. @throws FileError.
+    ExperimentRecorder(const Scene::Scene &scene,
+                       const RunOptions   &options,
+                       const Experiment   &experiment,
+                       RunLog             &log);
+
+    /// Takes the present state in, after evaluate().
+    /// @throws NumericalError where the numbers went bad.
+    void
+    follow();
+
+    /// Whether the scene's rule ends the run.
+    bool
+    finished() const;
+
+    /// The last sample and summary.json.
+    void
+    finish();
+
+  private:
+    struct Observed
+    {
+      unsigned int      body;
+      Measure::Probe    probe;
+      Measure::Passages passages;
+    };
+
+    void
+    sample();
+
+    void
+    write_frame();
+
+    void
+    summarise_velocity_gradients();
+
+    void
+    summarise_observers();
+
+    void
+    summarise_bodies();
+
+    void
+    summarise_ledgers();
+
+    void
+    summarise_run();
+
+    const Scene::Scene &scene;
+    const RunOptions   &options;
+    const Experiment   &experiment;
+    RunLog             &log;
+
+    std::vector<Observed>   observed;
+    Measure::EnergyLedger   energy;
+    Measure::MomentumLedger momentum;
+
+    std::unique_ptr<Output::History>                history;
+    std::vector<std::unique_ptr<Output::Frames<0>>> frames;
+    Output::Summary                                 summary;
+
+    double next_sample = 0., next_frame = 0.;
+    double last_sample_time = -1., last_frame_time = -1.;
+    double least_spacing   = 2.;
+    double loop_wall_begin = 0.;
+  };
+
+
+  /// A name for columns and results: what is no letter or digit becomes '_'.
+  std::string
+  underscored(std::string name);
+
+
+  /// The effects of a scene without plates.
+  std::vector<Output::Effect>
+  effects_of_experiment(const Scene::Scene &scene);
+} // namespace Morsel
+
+#endif

@@ -1,0 +1,250 @@
+#include "experiment_recorder.h"
+
+#include <morsel/core/kernel.h>
+#include <morsel/core/number_list.h>
+#include <morsel/measure/particle_field.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace Morsel
+{
+  std::string
+  underscored(std::string name)
+  {
+    for (char &c : name)
+      if (!std::isalnum(static_cast<unsigned char>(c)))
+        c = '_';
+    return name;
+  }
+
+
+  void
+  ExperimentRecorder::summarise_velocity_gradients()
+  {
+    for (unsigned int b = 0; b < scene.particle_bodies.size(); ++b)
+      {
+        const auto &body = scene.particle_bodies[b];
+        const auto  g    = number_list(body.expected_velocity_gradient, 4);
+        if (g.empty())
+          continue;
+        const Kernel kernel(kernel_named(body.solid.kernel),
+                            body.solid.smoothing_ratio * body.spacing);
+        const auto   errors =
+            Measure::strain_rate_errors(*experiment.bodies()[b],
+                                        body,
+                                        kernel.support(),
+                                        {g[0], g[1], g[2], g[3]});
+        const std::string name =
+            "strain_rate_error_%_" + underscored(body.name);
+        const auto add = [&](const std::string &where,
+                             const double       value,
+                             const std::string &meaning) {
+          std::string text = name;
+          text.replace(text.find('%'), 1, where);
+          summary.add(text,
+                      value,
+                      "1/s",
+                      "largest error of a strain rate at time 0 " + meaning);
+        };
+        add("interior", errors.interior, "where the support is full");
+        add("edge", errors.edge, "in the outermost rows, off the corners");
+        add("corner", errors.corner, "in the corners");
+      }
+  }
+
+
+  void
+  ExperimentRecorder::summarise_observers()
+  {
+    for (unsigned int k = 0; k < observed.size(); ++k)
+      {
+        const Scene::Observer &o    = scene.observers[k];
+        const auto            &body = *experiment.bodies()[observed[k].body];
+        const std::string      name = "_" + underscored(o.name);
+        const auto known_u          = number_list(o.expected_displacement, 2);
+        const auto known_s          = number_list(o.expected_stress, 3);
+        const auto add              = [&](const std::string         &what,
+                             const double               value,
+                             const std::string         &unit,
+                             const std::string         &meaning,
+                             const std::vector<double> &known,
+                             const unsigned int         component) {
+          // Relative to the largest component, since another one may be zero.
+          std::optional<double> reference, error;
+          if (!known.empty())
+            {
+              double scale = 0.;
+              for (const double x : known)
+                scale = std::max(scale, std::abs(x));
+              reference = known[component];
+              error     = (value - known[component]) / scale;
+            }
+          summary.add(what + name, value, unit, meaning, reference, error);
+        };
+        const Vector2 u = observed[k].probe.displacement(body.get_particles());
+        add("displacement_x", u.x, "m", "at the end", known_u, 0);
+        add("displacement_y", u.y, "m", "at the end", known_u, 1);
+        const auto s = observed[k].probe.stress(body);
+        add("stress_xx", s.xx, "Pa", "at the end", known_s, 0);
+        add("stress_yy", s.yy, "Pa", "at the end", known_s, 1);
+        add("stress_xy", s.xy, "Pa", "at the end", known_s, 2);
+        if (o.frequency == "none")
+          continue;
+        summary.add("frequency" + name,
+                    observed[k].passages.frequency(),
+                    "1/s",
+                    "of the displacement along " + o.frequency +
+                        ", by its passages through zero",
+                    o.expected_frequency > 0.
+                        ? std::optional<double>(o.expected_frequency)
+                        : std::nullopt);
+        summary.add("periods" + name, observed[k].passages.periods(), "1", "");
+      }
+  }
+
+
+  void
+  ExperimentRecorder::summarise_bodies()
+  {
+    for (unsigned int b = 0; b < scene.particle_bodies.size(); ++b)
+      {
+        const auto       &body = scene.particle_bodies[b];
+        const std::string name = "_" + underscored(body.name);
+        if (body.scatter == 0.)
+          {
+            const auto noise = Measure::stress_noise(*experiment.bodies()[b],
+                                                     body.particles_across);
+            const std::string meaning =
+                "root mean square of a particle's difference from the mean of "
+                "its four neighbours over that of the stress, at the end";
+            summary.add("stress_noise_xx" + name, noise.xx, "1", meaning);
+            summary.add("stress_noise_yy" + name, noise.yy, "1", meaning);
+          }
+        summary.add("neighbours_per_particle" + name,
+                    experiment.bodies()[b]->neighbours_per_particle(),
+                    "1",
+                    "");
+      }
+    summary.add("minimum_spacing",
+                least_spacing,
+                "1",
+                "smallest distance of two particles of a body at any sample, "
+                "in spacings; 2: that or more");
+    for (unsigned int k = 0; k < scene.conditions.size(); ++k)
+      {
+        const Vector2     f    = experiment.force(k);
+        const std::string name = underscored(scene.conditions[k].name);
+        summary.add("force_x_" + name, f.x, "N", "on the body, at the end");
+        summary.add("force_y_" + name, f.y, "N", "on the body, at the end");
+      }
+    summary.add_text("ended_by",
+                     least_spacing < scene.stop.minimum_spacing
+                         ? "minimum spacing"
+                         : "end time");
+  }
+
+
+  void
+  ExperimentRecorder::summarise_ledgers()
+  {
+    const auto &e   = energy.last();
+    const auto  add = [&](const std::string &name,
+                         const double       value,
+                         const std::string &meaning) {
+      summary.add(name, value, "J", meaning);
+    };
+    add("strain_energy", e.strain, "recoverable, at the end");
+    add("hourglass_energy", e.hourglass, "in the residual of the linear fit");
+    add("kinetic_energy", e.kinetic, "at the end");
+    add("external_work", e.external_work, "of supports and loads");
+    add("dissipated_energy", e.dissipated(), "");
+    add("viscous_energy", e.dissipated_viscosity, "artificial viscosity");
+    add("damping_energy", e.dissipated_damping, "by conditions of damping");
+    add("artificial_stress_energy",
+        e.dissipated_artificial_stress,
+        "taken by the artificial stress, may be negative");
+    summary.add("energy_balance_error",
+                energy.error_at_end(),
+                "1",
+                "closing error of the energy ledger over its largest term, "
+                "at the end");
+    summary.add("energy_balance_error_largest",
+                energy.largest_error(),
+                "1",
+                "the same at its worst");
+    summary.add("momentum_error",
+                momentum.largest_error(),
+                "1",
+                "change of linear momentum that supports and loads do not "
+                "explain over the largest term");
+  }
+
+
+  void
+  ExperimentRecorder::summarise_run()
+  {
+    const double loop      = log.wall_time() - loop_wall_begin;
+    const double particles = experiment.particle_count();
+    summary.add("particle_count", particles, "1", "");
+    summary.add("step_count", experiment.step(), "1", "");
+    summary.add("time_step", experiment.time_step(), "s", "");
+    summary.add("simulated_time", experiment.time(), "s", "");
+    summary.add("wall_time", log.wall_time(), "s", "whole run");
+    summary.add("wall_time_loop", loop, "s", "time loop alone");
+    summary.add("particle_steps_per_second",
+                particles * experiment.step() / std::max(loop, 1e-9),
+                "1/s",
+                "particles times steps over the loop's wall time");
+    dealii::Utilities::System::MemoryStats memory;
+    dealii::Utilities::System::get_memory_stats(memory);
+    summary.add(
+        "peak_memory", 1024. * memory.VmHWM, "B", "largest resident size");
+    summary.add("thread_count", options.threads, "1", "");
+    summary.add_text("title", scene.title);
+    summary.add_text("scene", scene.name);
+    summary.add_text("parameters_hash", scene.parameters_hash);
+    summary.add_text("morsel_version", MORSEL_VERSION);
+    summary.add_text("deal_ii_version", DEAL_II_PACKAGE_VERSION);
+    for (const auto &effect : effects_of_experiment(scene))
+      summary.add_effect(effect);
+    for (const auto &part : log.wall_times())
+      summary.add_part(part.first, part.second);
+  }
+
+
+  std::vector<Output::Effect>
+  effects_of_experiment(const Scene::Scene &scene)
+  {
+    std::vector<Output::Effect> effects;
+    for (const auto &body : scene.particle_bodies)
+      {
+        const auto       &s       = body.solid;
+        const std::string section = "Body " + body.name + "/Solid/";
+        effects.push_back({s.formulation + " solid, normalisation " +
+                               s.normalisation + ", " + s.kernel,
+                           true,
+                           section + "Formulation"});
+        effects.push_back({"hourglass control",
+                           !s.is_updated() && s.hourglass > 0.,
+                           section + "Hourglass coefficient"});
+        effects.push_back({"artificial viscosity",
+                           s.viscosity == "on" ||
+                               (s.viscosity == "auto" && body.damage.enabled),
+                           section + "Viscosity"});
+        effects.push_back({"artificial stress",
+                           s.artificial_stress > 0.,
+                           section + "Artificial stress"});
+        effects.push_back({"damage",
+                           body.damage.enabled,
+                           "Body " + body.name + "/Damage/Enabled"});
+      }
+    effects.push_back(
+        {"supports and loads", !scene.conditions.empty(), "Conditions"});
+    effects.push_back({"fields", scene.output.fields, "Output/Fields"});
+    return effects;
+  }
+} // namespace Morsel

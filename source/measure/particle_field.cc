@@ -1,0 +1,87 @@
+#include <morsel/measure/particle_field.h>
+#include <morsel/sph/neighbours.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Morsel::Measure
+{
+  double
+  smallest_spacing(const SPH::Particles &p)
+  {
+    std::vector<dealii::Point<2>> points(p.n_owned);
+    for (unsigned int i = 0; i < p.n_owned; ++i)
+      points[i] = p.position(i);
+    constexpr double reach = 2.;
+    SPH::CellGrid    grid;
+    grid.build(points, reach * p.spacing);
+    double least = reach * reach * p.spacing * p.spacing;
+    for (unsigned int i = 0; i < p.n_owned; ++i)
+      grid.for_each_near(points[i], [&](const unsigned int j) {
+        if (j > i)
+          least = std::min(least, (points[j] - points[i]).norm_square());
+      });
+    return std::sqrt(least) / p.spacing;
+  }
+
+
+  Noise
+  stress_noise(const SPH::DeformableBody &body, const unsigned int nx)
+  {
+    const unsigned int                        n = body.get_particles().n_owned;
+    std::vector<Materials::PlaneStrainStress> s(n);
+    for (unsigned int i = 0; i < n; ++i)
+      s[i] = body.stress(i);
+    const auto noise = [&](double Materials::PlaneStrainStress::*component) {
+      double rough = 0., whole = 0.;
+      for (unsigned int i = nx; i + nx < n; ++i)
+        {
+          if (i % nx == 0 || i % nx == nx - 1)
+            continue;
+          const auto  &t   = s[i];
+          const double own = t.*component;
+          const double mean =
+              0.25 * (s[i - 1].*component + s[i + 1].*component +
+                      s[i - nx].*component + s[i + nx].*component);
+          rough += (own - mean) * (own - mean);
+          whole += t.xx * t.xx + t.yy * t.yy + 2. * t.xy * t.xy;
+        }
+      return whole > 0. ? std::sqrt(rough / whole) : 0.;
+    };
+    return {noise(&Materials::PlaneStrainStress::xx),
+            noise(&Materials::PlaneStrainStress::yy)};
+  }
+
+
+  GradientErrors
+  strain_rate_errors(const SPH::DeformableBody &body,
+                     const Scene::ParticleBody &shape,
+                     const double               support,
+                     const Tensor2             &expected)
+  {
+    GradientErrors        errors{0., 0., 0.};
+    const SPH::Particles &p  = body.get_particles();
+    const unsigned int    nx = shape.particles_across;
+    const unsigned int    ny = shape.particles_high();
+    // Rows to the edge, counting the own one, that a full support needs.
+    const double full = support / p.spacing * (1. - 1e-9);
+    for (unsigned int i = 0; i < p.n_owned; ++i)
+      {
+        const unsigned int a     = std::min(i % nx, nx - 1 - i % nx) + 1;
+        const unsigned int b     = std::min(i / nx, ny - 1 - i / nx) + 1;
+        const auto [least, most] = std::minmax(a, b);
+        const auto   L           = body.velocity_gradient(i);
+        const double error =
+            std::max({std::abs(L.xx - expected.xx),
+                      std::abs(L.yy - expected.yy),
+                      0.5 * std::abs(L.xy + L.yx - expected.xy - expected.yx)});
+        if (most == 1)
+          errors.corner = std::max(errors.corner, error);
+        else if (least == 1 && most >= full)
+          errors.edge = std::max(errors.edge, error);
+        else if (least >= full)
+          errors.interior = std::max(errors.interior, error);
+      }
+    return errors;
+  }
+} // namespace Morsel::Measure

@@ -1,0 +1,147 @@
+#include <morsel/core/errors.h>
+#include <morsel/core/suggestions.h>
+#include <morsel/materials/catalogue.h>
+#include <morsel/scene/complete.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <set>
+
+namespace Morsel::Scene
+{
+  namespace
+  {
+    /// The bodies' bounding box with a margin of half its size, for a scene
+    /// that names no domain.
+    Rectangle
+    box_around_bodies(const Scene &scene)
+    {
+      const double     infinity = std::numeric_limits<double>::infinity();
+      dealii::Point<2> lower(infinity, infinity), upper(-infinity, -infinity);
+      const auto       enclose = [&](const Rectangle &shape) {
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            lower[d] = std::min(lower[d], shape.lower_corner[d]);
+            upper[d] = std::max(upper[d], shape.upper_corner[d]);
+          }
+      };
+      for (const ParticleBody &body : scene.particle_bodies)
+        enclose(body.shape);
+      for (const RigidBody &body : scene.rigid_bodies)
+        enclose(body.shape);
+      const dealii::Tensor<1, 2> margin = 0.5 * (upper - lower);
+      return {lower - margin, upper + margin};
+    }
+
+
+    void
+    complete_material(Materials::MaterialParameters     &material,
+                      const std::string                 &path,
+                      const std::vector<ParameterEntry> &entries)
+    {
+      if (material.name != "inline")
+        {
+          const Materials::Catalogue catalogue(
+              Materials::Catalogue::shipped_file());
+          const Materials::CatalogueEntry *const entry =
+              catalogue.find(material.name);
+          if (entry == nullptr)
+            {
+              const std::string suggestion =
+                  did_you_mean(material.name, catalogue.names());
+              throw InputError(
+                  last_place(entries, path) + ": '" + path + "' = '" +
+                  material.name + "' is not in the catalogue of materials." +
+                  (suggestion.empty()
+                       ? " There are " + quoted_list(catalogue.names()) +
+                             "; or give 'inline' and every value."
+                       : suggestion));
+            }
+          Materials::complete(material, *entry);
+        }
+      Materials::derive_strength(material);
+    }
+
+
+    /// Reads "food:plate, ..."; the order within a pair is free.
+    std::vector<ContactPair>
+    read_pairs(const std::string                 &text,
+               const Scene                       &scene,
+               const std::vector<ParameterEntry> &entries)
+    {
+      std::set<std::string> particle_names, rigid_names;
+      for (const ParticleBody &body : scene.particle_bodies)
+        particle_names.insert(body.name);
+      for (const RigidBody &body : scene.rigid_bodies)
+        rigid_names.insert(body.name);
+      std::vector<std::string> all_names(particle_names.begin(),
+                                         particle_names.end());
+      all_names.insert(all_names.end(), rigid_names.begin(), rigid_names.end());
+
+      std::vector<ContactPair> pairs;
+      if (text.empty())
+        for (const ParticleBody &food : scene.particle_bodies)
+          for (const RigidBody &plate : scene.rigid_bodies)
+            pairs.push_back({food.name, plate.name});
+
+      const std::string place = last_place(entries, "Contact/Pairs") +
+                                ": 'Contact/Pairs' = '" + text + "': ";
+      for (const std::string &item :
+           dealii::Utilities::split_string_list(text, ','))
+        {
+          const std::vector<std::string> names =
+              dealii::Utilities::split_string_list(item, ':');
+          if (names.size() != 2)
+            throw InputError(place + "'" + item +
+                             "' is not a pair; give 'food:plate'.");
+          for (const std::string &name : names)
+            if (particle_names.count(name) + rigid_names.count(name) == 0)
+              throw InputError(place + "There is no body '" + name + "'." +
+                               did_you_mean(name, all_names));
+          const bool        in_order = particle_names.count(names[0]) > 0;
+          const ContactPair pair{names[in_order ? 0 : 1],
+                                 names[in_order ? 1 : 0]};
+          if (particle_names.count(pair.food) == 0 ||
+              rigid_names.count(pair.plate) == 0)
+            throw InputError(place + "'" + item +
+                             "' must join a particle body and a rigid one.");
+          pairs.push_back(pair);
+        }
+      return pairs;
+    }
+  } // namespace
+
+
+  void
+  complete_scene(Scene                             &scene,
+                 const std::string                 &pairs,
+                 const std::string                 &file_name,
+                 const std::vector<ParameterEntry> &entries)
+  {
+    if (scene.name.empty())
+      scene.name = std::filesystem::path(file_name).stem().string();
+    if (last_place(entries, "Domain/Lower corner").empty() &&
+        last_place(entries, "Domain/Upper corner").empty())
+      scene.domain = box_around_bodies(scene);
+    for (ParticleBody &body : scene.particle_bodies)
+      {
+        if (body.particles_across > 0)
+          body.spacing = body.shape.extent(0) / body.particles_across;
+        complete_material(
+            body.material, "Body " + body.name + "/Material/Name", entries);
+      }
+    scene.contact_pairs = read_pairs(pairs, scene, entries);
+    if (scene.particle_bodies.empty())
+      return;
+    const std::string first = scene.particle_bodies.front().name;
+    for (Condition &condition : scene.conditions)
+      if (condition.body.empty())
+        condition.body = first;
+    for (Observer &observer : scene.observers)
+      if (observer.body.empty())
+        observer.body = first;
+  }
+} // namespace Morsel::Scene

@@ -1,0 +1,167 @@
+#include <morsel/sph/solid.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace Morsel::SPH
+{
+  namespace
+  {
+    double
+    sum(const std::vector<double> &x)
+    {
+      return std::accumulate(x.begin(), x.end(), 0.);
+    }
+  } // namespace
+
+
+  SolidEnergies
+  Solid::energies(const double time_step) const
+  {
+    SolidEnergies e;
+    for (unsigned int i = 0; i < particles.n_owned; ++i)
+      {
+        const double half = started ? 0.5 * time_step : 0.;
+        const double v_x =
+            particles.half_velocity[i].x + half * particles.acceleration[i].x;
+        const double v_y =
+            particles.half_velocity[i].y + half * particles.acceleration[i].y;
+        e.kinetic += 0.5 * particles.mass * (v_x * v_x + v_y * v_y);
+        if (fracture && particles.failed[i])
+          continue;
+        e.strain += particles.volume *
+                    Materials::stored_energy(
+                        softening,
+                        material,
+                        response_at(particles, material, linear_law, i),
+                        fracture ? particles.damage[i] : 0.);
+        e.hourglass +=
+            particles.hourglass[i] * fit_residual(particles, bonds, i);
+      }
+    e.viscous_heat = sum(particles.viscous_heat);
+    if (fracture)
+      {
+        e.damage_heat   = sum(particles.damage_heat);
+        e.bond_heat     = fracture->bond_heat();
+        e.granular      = granular->stored_energy();
+        e.friction_heat = granular->friction_heat();
+        e.viscous_heat += granular->viscous_heat();
+      }
+    double *const all = &e.strain;
+    host.sum(dealii::ArrayView<double>(all, sizeof(e) / sizeof(double)));
+    return e;
+  }
+
+
+  Vector2
+  Solid::momentum() const
+  {
+    Vector2 p{0., 0.};
+    for (unsigned int i = 0; i < particles.n_owned; ++i)
+      {
+        p.x += particles.mass * particles.half_velocity[i].x;
+        p.y += particles.mass * particles.half_velocity[i].y;
+      }
+    host.sum(dealii::ArrayView<double>(&p.x, 2));
+    return p;
+  }
+
+
+  Materials::PlaneStrainStress
+  Solid::stress(const unsigned int i) const
+  {
+    if (fracture && particles.failed[i])
+      return granular->stress(i);
+    return Materials::soften(softening,
+                             response_at(particles, material, linear_law, i),
+                             fracture ? particles.damage[i] : 0.);
+  }
+
+
+  Materials::Tensor2
+  Solid::velocity_gradient(const unsigned int i) const
+  {
+    Materials::Tensor2 rate{0., 0., 0., 0.}; // of the deformation gradient
+    for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
+      {
+        const Motion &j   = particles.motion[bonds.list.index[k]];
+        const double  ax  = bonds.weight[k] * bonds.dx[k];
+        const double  ay  = bonds.weight[k] * bonds.dy[k];
+        const double  v_x = j.v_x - particles.motion[i].v_x;
+        const double  v_y = j.v_y - particles.motion[i].v_y;
+        rate.xx += v_x * ax;
+        rate.xy += v_x * ay;
+        rate.yx += v_y * ax;
+        rate.yy += v_y * ay;
+      }
+    rate = product(rate, particles.shape[i]);
+    if (linear_law)
+      return rate;
+    // L = dF/dt F^-1.
+    const Materials::Tensor2 &H = particles.gradient[i];
+    const double d = 1. / ((1. + H.xx) * (1. + H.yy) - H.xy * H.yx);
+    return {d * (rate.xx * (1. + H.yy) - rate.xy * H.yx),
+            d * (rate.xy * (1. + H.xx) - rate.xx * H.xy),
+            d * (rate.yx * (1. + H.yy) - rate.yy * H.yx),
+            d * (rate.yy * (1. + H.xx) - rate.yx * H.xy)};
+  }
+
+
+  std::vector<Vector2>
+  Solid::surface_vectors() const
+  {
+    std::vector<Vector2> S(particles.n_owned, {0., 0.});
+    for (unsigned int i = 0; i < particles.n_owned; ++i)
+      for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
+           ++k)
+        {
+          const Symmetric2 &B = particles.shape[i];
+          const Symmetric2 &C = particles.shape[bonds.list.index[k]];
+          const double      X = bonds.dx[k], Y = bonds.dy[k];
+          const double      w = particles.volume * bonds.weight[k];
+          S[i].x -= w * ((B.xx + C.xx) * X + (B.xy + C.xy) * Y);
+          S[i].y -= w * ((B.xy + C.xy) * X + (B.yy + C.yy) * Y);
+        }
+    return S;
+  }
+
+
+  double
+  Solid::neighbours_per_particle() const
+  {
+    return host.sum(static_cast<double>(bonds.list.index.size())) /
+           host.n_global();
+  }
+
+
+  double
+  Solid::density_ratio(const unsigned int i) const
+  {
+    if (fracture && particles.failed[i])
+      return granular->density_ratio(i);
+    return 1. / response_at(particles, material, linear_law, i).jacobian;
+  }
+
+
+  unsigned int
+  Solid::inverted_count() const
+  {
+    unsigned int count = 0;
+    for (unsigned int i = 0; i < particles.n_owned; ++i)
+      count += !(density_ratio(i) > 0.) || !std::isfinite(density_ratio(i));
+    return count;
+  }
+
+
+  long
+  Solid::first_not_finite() const
+  {
+    for (unsigned int i = 0; i < particles.n_owned; ++i)
+      {
+        const Motion &m = particles.motion[i];
+        if (!std::isfinite(m.u_x + m.u_y + m.v_x + m.v_y))
+          return i;
+      }
+    return -1;
+  }
+} // namespace Morsel::SPH
