@@ -152,20 +152,19 @@ namespace Morsel
       }
     if (options.output_directory.empty())
       options.output_directory = "output/" + plate.xfem.name;
-    // Mistakes that only the mesh shows come before anything is written.
-    first_rank.run([&] {
-      if (!by_particles)
-        {
-          dealii::Triangulation<2> mesh(
-              dealii::Triangulation<2>::limit_level_difference_at_vertices);
-          FE::PlateProblem(plate.xfem, make_cracks(plate.xfem), mesh).set_up();
-        }
-      prepare_output_directory(options.output_directory);
-    });
     const std::string used = parameters_as_prm(prm, false);
     if (by_particles)
-      run_particle_plate(particles, options, used);
-    else
-      run_xfem(plate.xfem, options, used);
+      {
+        run_particle_plate(particles, options, used);
+        return;
+      }
+    // Mistakes that only the mesh shows come before anything is written.
+    first_rank.run([&] {
+      dealii::Triangulation<2> mesh(
+          dealii::Triangulation<2>::limit_level_difference_at_vertices);
+      FE::PlateProblem(plate.xfem, make_cracks(plate.xfem), mesh).set_up();
+      prepare_output_directory(options.output_directory);
+    });
+    run_xfem(plate.xfem, options, used);
   }
 } // namespace Morsel

@@ -2,6 +2,7 @@
 
 #include "plate_summary.h"
 
+#include <morsel/core/command_line.h>
 #include <morsel/core/log.h>
 #include <morsel/fracture/plate_output.h>
 #include <morsel/output/atomic_file.h>
@@ -188,14 +189,16 @@ namespace Morsel
                      const RunOptions           &options,
                      const std::string          &used_parameters)
   {
-    Timer              whole;
+    Timer whole;
+    // Mistakes that only the particles show come before anything is written.
+    const auto         cracks = Fracture::make_cracks(plate);
+    SPH::PlateProblem  problem(plate, cracks);
     const std::string &folder = options.output_directory;
-    RunLog             log(folder + "/run.log", options.quiet, true);
+    prepare_output_directory(folder);
+    RunLog log(folder + "/run.log", options.quiet, true);
     log << (plate.title.empty() ? plate.name : plate.title) << '\n';
     Output::write_atomically(folder + "/used.prm", used_parameters);
 
-    const auto               cracks = Fracture::make_cracks(plate);
-    SPH::PlateProblem        problem(plate, cracks);
     const SPH::PlateResults &results = problem.run();
     Output::Summary          summary;
     add_tips(summary, plate, cracks, results.tips);

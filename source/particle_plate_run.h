@@ -15,7 +15,7 @@ namespace Morsel
 
   /// Solves a cracked plate by particles ("set Method = SPH") and leaves
   /// summary, log, tables and ParaView files in the folder of results.
-  /// @param options the folder exists
+  /// @param options the folder is made if need be
   /// @param used_parameters as text, for used.prm
   /// @throws InputError on several ranks
   void
