@@ -18,6 +18,8 @@ DISSIPATED = [
     ("dissipated_damage", "damage", style.RED),
     ("dissipated_bonds", "breaking bonds", "#F0B48A"),
     ("dissipated_viscosity", "viscosity", style.ORANGE),
+    ("dissipated_damping", "damping", "#D9B44A"),
+    ("dissipated_artificial_stress", "artificial stress", "#B07AA1"),
     ("dissipated_friction", "friction", style.PURPLE),
     ("dissipated_granular_friction", "friction of broken food", "#E3BFD3"),
 ]
@@ -121,7 +123,7 @@ def energy_ledger(run):
                    colors=[colour for _, _, colour in terms], lw=0)
     if work is not None:
         axes.plot(time_factor * t, factor * work, color=style.INK, lw=1.4,
-                  label="work of the plates")
+                  label="external work")
     axes.set_xlim(0, time_factor * t.max())
     axes.set_ylim(bottom=0)
     axes.set_ylabel(f"Energy [{unit}]")

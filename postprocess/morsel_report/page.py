@@ -6,7 +6,7 @@ import os
 
 import matplotlib.pyplot as plt
 
-from . import food_story, plate_story, style
+from . import experiment_story, food_story, plate_story, style
 from .tables import effects_table, provenance, results_table
 
 STYLE = """
@@ -61,7 +61,9 @@ def story_of(run):
     is wide); SECTIONS, (title, names of figures); CARDS, (result, label); and
     the functions outcome(run), warnings_of(run) and tables(run).
     """
-    return plate_story if run.is_plate() else food_story
+    if run.is_plate():
+        return plate_story
+    return experiment_story if run.is_experiment() else food_story
 
 
 def draw(run, story):

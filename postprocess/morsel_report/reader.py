@@ -192,6 +192,11 @@ class Run:
                 or any(n.startswith("stress_intensity_")
                        for n in self.results()))
 
+    def is_experiment(self):
+        """Whether particle bodies were loaded by other things than plates."""
+        return "minimum_spacing" in self.history and (
+            "closure" not in self.history)
+
     def _read_plate(self):
         solution = self.folder / "solution"
         self.plate = read_pieces(solution, "plate")

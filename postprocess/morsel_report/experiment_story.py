@@ -1,0 +1,113 @@
+"""What the page tells of an experiment on particle bodies without plates."""
+import matplotlib.pyplot as plt
+import numpy as np
+
+from . import curves, food, style
+from .tables import warnings_of  # noqa: F401 (part of every story)
+
+KICKER = "MORSEL · an experiment on particle bodies"
+
+
+def moments(run):
+    """The body at the first, a middle and the last frame, by stress."""
+    frames, _ = run.food()
+    if not frames or frames[0].points() is None:
+        return None
+    places = sorted({0, len(frames) // 2, len(frames) - 1})
+    chosen = [("", frames[k]) for k in places]
+    rows = [(field, label, cmap) for field, label, cmap in (
+        ("von_mises", "Von Mises stress", style.STRESS),
+        ("stress_yy", "Stress along y", "RdBu"))
+        if frames[-1].read(field) is not None]
+    if not rows:
+        return None
+    spacing = 1e3 * food.spacing_of(frames[0].points())
+    view = food.extent_of([frame for _, frame in chosen])
+    aspect = (view[1][1] - view[0][1]) / (view[1][0] - view[0][0])
+    width = 9.6 / (len(chosen) + 0.35)
+    figure, grid = plt.subplots(
+        len(rows), len(chosen), squeeze=False, layout="constrained",
+        figsize=(9.6, len(rows) * width * aspect + 0.75))
+    for r, (field, label, cmap) in enumerate(rows):
+        food.draw_row(figure, grid[r], run, chosen, field, label, cmap,
+                      spacing, view)
+    for axes, (_, frame) in zip(grid[0], chosen):
+        axes.set_title(style.quantity(frame.time, "s", 3), fontsize=9.5)
+    food.scale_bar(grid[-1][0], view)
+    return figure
+
+
+def over_time(run, prefix, unit, label):
+    """All columns of the history that begin so, over time; None without."""
+    t = run.column("time")
+    names = [n for n in run.history if n.startswith(prefix)
+             and np.ptp(run.column(n)) > 0]
+    if t is None or len(t) < 2 or not names:
+        return None
+    time_factor, time_unit = style.prefix_of(t.max(), "s")
+    top = max(np.max(np.abs(run.column(n))) for n in names)
+    shown = [n for n in names
+             if np.max(np.abs(run.column(n))) > 1e-6 * top]
+    factor, unit = style.prefix_of(top, unit)
+    figure, axes = plt.subplots(figsize=(6.2, 3.7), layout="constrained")
+    for k, name in enumerate(shown):
+        axes.plot(time_factor * t, factor * run.column(name), lw=1.2,
+                  color=style.FRAGMENTS[k % len(style.FRAGMENTS)],
+                  label=name[len(prefix):].replace("_", " "))
+    axes.set_xlim(0, time_factor * t.max())
+    axes.set_xlabel(f"Time [{time_unit}]")
+    axes.set_ylabel(f"{label} [{unit}]")
+    axes.legend(fontsize=8)
+    return figure
+
+
+FIGURES = [
+    ("moments", moments,
+     "The body at the beginning, in between and at the end. Above, the von "
+     "Mises stress; below, the stress along y.", True),
+    ("displacements",
+     lambda run: over_time(run, "displacement_", "m", "Displacement"),
+     "Displacement of the observed points over time.", False),
+    ("stresses", lambda run: over_time(run, "stress_", "Pa", "Stress"),
+     "Stress at the observed points over time.", False),
+    ("forces", lambda run: over_time(run, "force_", "N", "Force"),
+     "Force of supports and loads over time.", False),
+    ("energy", curves.energy_ledger,
+     "Where the external work goes: blue and green is stored, warm colours "
+     "are spent. What separates the stack from the black line is the closing "
+     "error, shown below.", True),
+]
+
+SECTIONS = [
+    ("The body", ["moments"]),
+    ("Observed points, supports and loads",
+     ["displacements", "stresses", "forces"]),
+    ("The energy ledger", ["energy"]),
+]
+
+CARDS = [
+    ("strain_energy", "strain energy at the end"),
+    ("energy_balance_error", "closing error of the energy ledger"),
+    ("momentum_error", "error of linear momentum"),
+    ("minimum_spacing", "smallest distance of two particles over the initial "
+                        "spacing"),
+]
+
+
+def outcome(run):
+    """What happened, in a sentence."""
+    given = run.text("outcome")
+    if given:
+        return given
+    count, steps = run.value("particle_count"), run.value("step_count")
+    time, end = run.value("simulated_time"), run.text("ended_by")
+    if None in (count, steps, time):
+        return ""
+    text = (f"{int(count)} particles over {style.quantity(time, 's', 3)} in "
+            f"{int(steps)} steps")
+    return text + (f"; ended by: {end}." if end else ".")
+
+
+def tables(_run):
+    """No tables but those that every page has."""
+    return []
