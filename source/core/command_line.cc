@@ -34,7 +34,7 @@ namespace Morsel
           known.push_back("--" + name);
 
       for (const std::string &argument : arguments)
-        if (argument.rfind("-", 0) == 0 && argument.size() > 1)
+        if (argument.rfind('-', 0) == 0 && argument.size() > 1)
           {
             const std::string option = argument.substr(0, argument.find('='));
             if (option.rfind("--", 0) == 0 &&

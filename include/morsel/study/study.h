@@ -13,16 +13,16 @@ namespace Morsel::Study
   {
     std::string  name; ///< an identifier: formulas may use it
     std::string  label;
-    std::string  unit    = "1";
-    std::string  kind    = "numbers";
-    std::string  values  = "";
-    double       from    = 0.;
-    double       to      = 0.;
-    unsigned int count   = 0;
-    unsigned int seed    = 1;
-    bool         whole   = false;
-    std::string  partner = "";
-    std::string  entries = "";
+    std::string  unit = "1";
+    std::string  kind = "numbers";
+    std::string  values;
+    double       from  = 0.;
+    double       to    = 0.;
+    unsigned int count = 0;
+    unsigned int seed  = 1;
+    bool         whole = false;
+    std::string  partner;
+    std::string  entries;
 
     /// Whether its values are draws, over which one averages.
     bool
@@ -52,12 +52,12 @@ namespace Morsel::Study
     std::string label;
     std::string unit;
     std::string expression;
-    std::string truth         = "none";
-    std::string truth_formula = "";
-    std::string truth_axis    = "";
-    std::string truth_table   = "";
-    double      accuracy      = 0.; ///< relative, of the truth
-    double      scale         = 0.; ///< of errors; 0: the truth's size
+    std::string truth = "none";
+    std::string truth_formula;
+    std::string truth_axis;
+    std::string truth_table;
+    double      accuracy = 0.; ///< relative, of the truth
+    double      scale    = 0.; ///< of errors; 0: the truth's size
   };
 
 
@@ -69,15 +69,15 @@ namespace Morsel::Study
     std::string  title;
     std::string  base_scene;
     std::string  recorded; ///< names of quantities, separated by commas
-    std::string  resolution       = "unknowns";
-    std::string  resolution_label = "";
-    std::string  time_result      = "wall_time_loop";
-    bool         timing           = false;
-    unsigned int repetitions      = 1;
-    unsigned int side_by_side     = 1;
-    unsigned int threads          = 1;
-    double       time_limit       = 0.; ///< [s], 0: none
-    bool         keep_fields      = false;
+    std::string  resolution = "unknowns";
+    std::string  resolution_label;
+    std::string  time_result  = "wall_time_loop";
+    bool         timing       = false;
+    unsigned int repetitions  = 1;
+    unsigned int side_by_side = 1;
+    unsigned int threads      = 1;
+    double       time_limit   = 0.; ///< [s], 0: none
+    bool         keep_fields  = false;
 
     std::vector<Axis>     axes;
     std::vector<Series>   series; ///< at least one
