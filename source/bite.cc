@@ -228,14 +228,7 @@ namespace Morsel
   dealii::Tensor<1, 2>
   Bite::momentum() const
   {
-    dealii::Tensor<1, 2> sum;
-    for (const auto &solid : solids)
-      {
-        const Vector2 p = solid->momentum();
-        sum[0] += p.x;
-        sum[1] += p.y;
-      }
-    return sum;
+    return SPH::total_momentum(solids);
   }
 
 

@@ -3,9 +3,9 @@
 #include "experiment.h"
 #include "experiment_recorder.h"
 
+#include <morsel/core/atomic_file.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/signals.h>
-#include <morsel/output/atomic_file.h>
 
 #include <algorithm>
 #include <chrono>
@@ -18,8 +18,8 @@ namespace Morsel
   run_experiment(const Scene::Scene &scene, const RunOptions &options)
   {
     RunLog log(options.output_directory + "/run.log", options.quiet, true);
-    Output::write_atomically(options.output_directory + "/used.prm",
-                             scene.used_parameters);
+    write_atomically(options.output_directory + "/used.prm",
+                     scene.used_parameters);
     log << scene.title << '\n';
     for (const auto &advice : scene.warnings)
       log.warning(advice);

@@ -1,4 +1,5 @@
 #include "experiment_recorder.h"
+#include "run_summary.h"
 
 #include <morsel/core/kernel.h>
 #include <morsel/core/number_list.h>
@@ -187,28 +188,15 @@ namespace Morsel
   void
   ExperimentRecorder::summarise_run()
   {
-    const double loop      = log.wall_time() - loop_wall_begin;
-    const double particles = experiment.particle_count();
-    summary.add("particle_count", particles, "1", "");
-    summary.add("step_count", experiment.step(), "1", "");
-    summary.add("time_step", experiment.time_step(), "s", "");
-    summary.add("simulated_time", experiment.time(), "s", "");
-    summary.add("wall_time", log.wall_time(), "s", "whole run");
-    summary.add("wall_time_loop", loop, "s", "time loop alone");
-    summary.add("particle_steps_per_second",
-                particles * experiment.step() / std::max(loop, 1e-9),
-                "1/s",
-                "particles times steps over the loop's wall time");
-    dealii::Utilities::System::MemoryStats memory;
-    dealii::Utilities::System::get_memory_stats(memory);
-    summary.add(
-        "peak_memory", 1024. * memory.VmHWM, "B", "largest resident size");
-    summary.add("thread_count", options.threads, "1", "");
-    summary.add_text("title", scene.title);
-    summary.add_text("scene", scene.name);
-    summary.add_text("parameters_hash", scene.parameters_hash);
-    summary.add_text("morsel_version", MORSEL_VERSION);
-    summary.add_text("deal_ii_version", DEAL_II_PACKAGE_VERSION);
+    add_loop_costs(summary,
+                   {static_cast<double>(experiment.particle_count()),
+                    experiment.step(),
+                    experiment.time_step(),
+                    experiment.time(),
+                    log.wall_time(),
+                    log.wall_time() - loop_wall_begin});
+    add_provenance(
+        summary, scene.title, scene.name, scene.parameters_hash, MPI_COMM_SELF);
     for (const auto &effect : effects_of_experiment(scene))
       summary.add_effect(effect);
     for (const auto &part : log.wall_times())

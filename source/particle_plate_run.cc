@@ -2,10 +2,10 @@
 
 #include "plate_summary.h"
 
+#include <morsel/core/atomic_file.h>
 #include <morsel/core/command_line.h>
 #include <morsel/core/log.h>
 #include <morsel/fracture/plate_output.h>
-#include <morsel/output/atomic_file.h>
 #include <morsel/sph/plate_output.h>
 
 #include <deal.II/base/mpi.h>
@@ -109,33 +109,6 @@ namespace Morsel
 
 
     void
-    tell(RunLog                     &log,
-         const SPH::PlateParameters &plate,
-         const SPH::PlateResults    &results,
-         const double                seconds)
-    {
-      log << results.n_particles << " particles, " << results.solve.n_iterations
-          << " iterations, residual " << results.solve.residual << ", "
-          << seconds << " s\n";
-      for (const Fracture::TipResult &tip : results.tips)
-        {
-          std::ostringstream text;
-          text.precision(8);
-          text << "Tip " << tip.tip << ": K_I = " << tip.statistics.mean.mode_I
-               << ", K_II = " << tip.statistics.mean.mode_II
-               << " Pa sqrt(m), spread " << tip.statistics.spread.mode_I
-               << '\n';
-          log << text.str();
-          if (!tip.remark.empty())
-            log.warning(tip.remark);
-        }
-      if (results.tips.empty())
-        log << "No crack tip in '" << plate.name
-            << "': no stress intensity factors.\n";
-    }
-
-
-    void
     write_fields(const std::string                  &folder,
                  const SPH::PlateParameters         &plate,
                  const std::vector<Fracture::Crack> &cracks,
@@ -143,9 +116,9 @@ namespace Morsel
                  const SPH::PlateResults            &results)
     {
       const std::string solution = folder + "/solution/";
-      Output::create_folder(solution);
+      create_folder(solution);
       const auto write = [&](const std::string &name, const std::string &text) {
-        Output::write_atomically(name, text);
+        write_atomically(name, text);
       };
       const auto sample = [&](const std::vector<Point<2>> &points) {
         return problem.sample(points);
@@ -196,32 +169,26 @@ namespace Morsel
     const std::string &folder = options.output_directory;
     prepare_output_directory(folder);
     RunLog log(folder + "/run.log", options.quiet, true);
-    log << (plate.title.empty() ? plate.name : plate.title) << '\n';
-    Output::write_atomically(folder + "/used.prm", used_parameters);
+    start_log(log, plate, options, used_parameters);
 
     const SPH::PlateResults &results = problem.run();
-    Output::Summary          summary;
-    add_tips(summary, plate, cracks, results.tips);
-    Timer energy;
-    if (plate.energy_growth > 0.)
-      add_energy_route(
-          summary, plate, SPH::energy_route(plate, results.strain_energy));
-    const double energy_time = energy.wall_time();
-    add_costs(summary, results);
-    if (plate.energy_growth > 0.)
-      summary.add_part("energy difference", energy_time);
-    tell(log, plate, results, whole.wall_time());
-
-    Timer output;
-    write_fields(folder, plate, cracks, problem, results);
-    summary.add_part("output", output.wall_time());
-    for (const Output::Effect &effect : effects_of(plate, cracks))
-      summary.add_effect(effect);
-    summary.add("wall_time", whole.wall_time(), "s", "whole run");
-    add_provenance(summary, plate, used_parameters);
-    summary.add_text("solver",
-                     "conjugate gradients, preconditioned by a Cholesky "
-                     "factorisation over Voronoi neighbours");
-    summary.write(folder + "/summary.json");
+    std::ostringstream       costs;
+    costs << results.n_particles << " particles, " << results.solve.n_iterations
+          << " iterations, residual " << results.solve.residual;
+    finish_run(
+        {plate,
+         cracks,
+         results.tips,
+         effects_of(plate, cracks),
+         "conjugate gradients, preconditioned by a Cholesky factorisation over "
+         "Voronoi neighbours",
+         costs.str(),
+         [&] { return SPH::energy_route(plate, results.strain_energy); },
+         [&](Output::Summary &summary) { add_costs(summary, results); },
+         [&] { write_fields(folder, plate, cracks, problem, results); }},
+        whole,
+        log,
+        folder,
+        used_parameters);
   }
 } // namespace Morsel

@@ -1,16 +1,20 @@
 #include "plate_summary.h"
 
+#include "run_summary.h"
+
+#include <morsel/core/atomic_file.h>
 #include <morsel/core/parameters.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/fracture/energy_release.h>
 
-#include <deal.II/base/config.h>
-#include <deal.II/base/multithread_info.h>
 #include <deal.II/base/utilities.h>
+
+#include <sstream>
 
 namespace Morsel
 {
   using Fracture::StressIntensity;
+  namespace Utilities = dealii::Utilities;
 
   namespace
   {
@@ -97,94 +101,137 @@ namespace Morsel
                   "J/m^2",
                   "J_2, the component of the J vector across the crack");
     }
+
+
+    void
+    add_tips(Output::Summary                        &summary,
+             const Fracture::PlateScene             &plate,
+             const std::vector<Fracture::Crack>     &cracks,
+             const std::vector<Fracture::TipResult> &results)
+    {
+      const auto   tips   = Fracture::collect_tips(cracks);
+      unsigned int number = 0;
+      for (unsigned int t = 0; t < results.size(); ++t)
+        {
+          number = t > 0 && tips[t].crack == tips[t - 1].crack ? number + 1 : 0;
+          const std::string     suffix = tip_suffix(tips[t], number);
+          const StressIntensity k      = results[t].statistics.mean;
+          summary.add("stress_intensity_I" + suffix,
+                      k.mode_I,
+                      unit,
+                      "K_I by interaction integral, mean over the rings",
+                      reference_of(plate.reference_I, t));
+          summary.add("stress_intensity_II" + suffix,
+                      k.mode_II,
+                      unit,
+                      "K_II by interaction integral, mean over the rings",
+                      reference_of(plate.reference_II, t));
+          add_rings(summary, results[t], suffix);
+          summary.add("energy_release_rate" + suffix,
+                      results[t].energy_release.back(),
+                      "J/m^2",
+                      "J over the largest ring");
+          add_two_directions(summary, plate, results[t], suffix);
+        }
+      const double formula = Fracture::formula_stress_intensity(plate, cracks);
+      if (formula != 0. && !results.empty())
+        summary.add("stress_intensity_I_over_formula",
+                    results[0].statistics.mean.mode_I / formula,
+                    "1",
+                    "ratio to the handbook formula T3-48");
+    }
+
+
+    void
+    add_energy_route(Output::Summary            &summary,
+                     const Fracture::PlateScene &plate,
+                     const double                stress_intensity)
+    {
+      const bool by_traction =
+          Fracture::held_quantity(plate) == Fracture::HeldQuantity::traction;
+      summary.add("stress_intensity_energy",
+                  stress_intensity,
+                  unit,
+                  "sqrt(E' G), G = " + std::string(by_traction ? "+" : "-") +
+                      "dU/da by the energy difference T3-47 with da = " +
+                      number_text(plate.energy_growth) +
+                      " m, all tips together; one-sided: on M1 it is 0.952, "
+                      "0.994, 0.9985 and 0.9996 of K at da/a = 0.5, 0.2, 0.1 "
+                      "and 0.05");
+      summary.add_text("loading", by_traction ? "traction" : "displacement");
+    }
+
+
+    void
+    tell_tips(RunLog                                 &log,
+              const Fracture::PlateScene             &plate,
+              const std::vector<Fracture::TipResult> &tips)
+    {
+      for (const Fracture::TipResult &tip : tips)
+        {
+          std::ostringstream text;
+          text.precision(8);
+          text << "Tip " << tip.tip << ": K_I = " << tip.statistics.mean.mode_I
+               << ", K_II = " << tip.statistics.mean.mode_II
+               << " Pa sqrt(m), spread " << tip.statistics.spread.mode_I
+               << '\n';
+          log << text.str();
+          if (!tip.remark.empty())
+            log.warning(tip.remark);
+        }
+      if (tips.empty())
+        log << "No crack tip in '" << plate.name
+            << "': no stress intensity factors.\n";
+    }
   } // namespace
 
 
   void
-  add_tips(Output::Summary                        &summary,
-           const Fracture::PlateScene             &plate,
-           const std::vector<Fracture::Crack>     &cracks,
-           const std::vector<Fracture::TipResult> &results)
+  start_log(RunLog                     &log,
+            const Fracture::PlateScene &plate,
+            const RunOptions           &options,
+            const std::string          &used_parameters)
   {
-    const auto   tips   = Fracture::collect_tips(cracks);
-    unsigned int number = 0;
-    for (unsigned int t = 0; t < results.size(); ++t)
-      {
-        number = t > 0 && tips[t].crack == tips[t - 1].crack ? number + 1 : 0;
-        const std::string     suffix = tip_suffix(tips[t], number);
-        const StressIntensity k      = results[t].statistics.mean;
-        summary.add("stress_intensity_I" + suffix,
-                    k.mode_I,
-                    unit,
-                    "K_I by interaction integral, mean over the rings",
-                    reference_of(plate.reference_I, t));
-        summary.add("stress_intensity_II" + suffix,
-                    k.mode_II,
-                    unit,
-                    "K_II by interaction integral, mean over the rings",
-                    reference_of(plate.reference_II, t));
-        add_rings(summary, results[t], suffix);
-        summary.add("energy_release_rate" + suffix,
-                    results[t].energy_release.back(),
-                    "J/m^2",
-                    "J over the largest ring");
-        add_two_directions(summary, plate, results[t], suffix);
-      }
-    const double formula = Fracture::formula_stress_intensity(plate, cracks);
-    if (formula != 0. && !results.empty())
-      summary.add("stress_intensity_I_over_formula",
-                  results[0].statistics.mean.mode_I / formula,
-                  "1",
-                  "ratio to the handbook formula T3-48");
+    log << (plate.title.empty() ? plate.name : plate.title) << '\n';
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      write_atomically(options.output_directory + "/used.prm", used_parameters);
   }
 
 
   void
-  add_energy_route(Output::Summary            &summary,
-                   const Fracture::PlateScene &plate,
-                   const double                stress_intensity)
+  finish_run(const PlateRun      &run,
+             const dealii::Timer &whole,
+             RunLog              &log,
+             const std::string   &folder,
+             const std::string   &used_parameters)
   {
-    const bool by_traction =
-        Fracture::held_quantity(plate) == Fracture::HeldQuantity::traction;
-    summary.add("stress_intensity_energy",
-                stress_intensity,
-                unit,
-                "sqrt(E' G), G = " + std::string(by_traction ? "+" : "-") +
-                    "dU/da by the energy difference T3-47 with da = " +
-                    number_text(plate.energy_growth) +
-                    " m, all tips together; one-sided: on M1 it is 0.952, "
-                    "0.994, 0.9985 and 0.9996 of K at da/a = 0.5, 0.2, 0.1 "
-                    "and 0.05");
-    summary.add_text("loading", by_traction ? "traction" : "displacement");
-  }
+    Output::Summary summary;
+    add_tips(summary, run.plate, run.cracks, run.tips);
+    dealii::Timer energy;
+    if (run.plate.energy_growth > 0.)
+      add_energy_route(summary, run.plate, run.energy_route());
+    const double energy_time = energy.wall_time();
+    run.add_costs(summary);
+    if (run.plate.energy_growth > 0.)
+      summary.add_part("energy difference", energy_time);
+    log << run.costs_in_words << ", " << whole.wall_time() << " s\n";
+    tell_tips(log, run.plate, run.tips);
 
-
-  void
-  add_provenance(Output::Summary            &summary,
-                 const Fracture::PlateScene &plate,
-                 const std::string          &used_parameters)
-  {
-    const MPI_Comm                         communicator = MPI_COMM_WORLD;
-    dealii::Utilities::System::MemoryStats memory;
-    dealii::Utilities::System::get_memory_stats(memory);
-    summary.add("peak_memory",
-                dealii::Utilities::MPI::max(1024. * memory.VmHWM, communicator),
-                "B",
-                "largest resident size of a rank");
-    summary.add("rank_count",
-                dealii::Utilities::MPI::n_mpi_processes(communicator),
-                "1",
-                "MPI ranks");
-    summary.add("thread_count",
-                dealii::MultithreadInfo::n_threads(),
-                "1",
-                "threads per rank");
+    dealii::Timer output;
+    run.write_fields();
+    summary.add_part("output", output.wall_time());
+    for (const Output::Effect &effect : run.effects)
+      summary.add_effect(effect);
+    summary.add("wall_time", whole.wall_time(), "s", "whole run");
     summary.add_text("kind", "cracked plate");
-    summary.add_text("title", plate.title);
-    summary.add_text("scene", plate.name);
-    summary.add_text("method", plate.method);
-    summary.add_text("parameters_hash", text_hash(used_parameters));
-    summary.add_text("morsel_version", MORSEL_VERSION);
-    summary.add_text("deal_ii_version", DEAL_II_PACKAGE_VERSION);
+    add_provenance(summary,
+                   run.plate.title,
+                   run.plate.name,
+                   text_hash(used_parameters),
+                   MPI_COMM_WORLD);
+    summary.add_text("method", run.plate.method);
+    summary.add_text("solver", run.solver);
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      summary.write(folder + "/summary.json");
   }
 } // namespace Morsel

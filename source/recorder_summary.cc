@@ -1,4 +1,5 @@
 #include "recorder.h"
+#include "run_summary.h"
 
 #include <morsel/measure/masticatory_performance.h>
 
@@ -279,15 +280,12 @@ namespace Morsel
   void
   Recorder::summarise_run()
   {
-    const double loop      = log.wall_time() - loop_wall_begin;
-    const double particles = bite.particle_count();
     summary.add(
         "deepest_penetration", deepest, "m", "of a particle into a plate");
     summary.add("inverted_particle_count",
                 most_inverted,
                 "1",
                 "particles turned inside out at any sample: must be 0");
-    summary.add("particle_count", particles, "1", "");
     summary.add("cell_count",
                 bite.food().get_host().n_cells(),
                 "1",
@@ -296,34 +294,17 @@ namespace Morsel
                 bite.food().neighbours_per_particle(),
                 "1",
                 "pairs of the reference configuration");
-    summary.add("step_count", bite.step(), "1", "");
-    summary.add("time_step", bite.time_step(), "s", "");
-    summary.add("simulated_time", bite.time(), "s", "");
     summary.add("seed", scene.seed, "1", "of the flaws");
-    summary.add("wall_time", log.wall_time(), "s", "whole run");
-    summary.add("wall_time_loop", loop, "s", "time loop alone");
-    summary.add("particle_steps_per_second",
-                particles * bite.step() / std::max(loop, 1e-9),
-                "1/s",
-                "particles times steps over the loop's wall time");
-    dealii::Utilities::System::MemoryStats memory;
-    dealii::Utilities::System::get_memory_stats(memory);
-    summary.add("peak_memory",
-                dealii::Utilities::MPI::max(1024. * memory.VmHWM, communicator),
-                "B",
-                "largest resident size of a rank");
-    summary.add("rank_count",
-                dealii::Utilities::MPI::n_mpi_processes(communicator),
-                "1",
-                "MPI ranks");
-    summary.add("thread_count", options.threads, "1", "threads per rank");
-
-    summary.add_text("title", scene.title);
-    summary.add_text("scene", scene.name);
+    add_loop_costs(summary,
+                   {static_cast<double>(bite.particle_count()),
+                    bite.step(),
+                    bite.time_step(),
+                    bite.time(),
+                    log.wall_time(),
+                    log.wall_time() - loop_wall_begin});
+    add_provenance(
+        summary, scene.title, scene.name, scene.parameters_hash, communicator);
     summary.add_text("material", scene.particle_bodies.front().material.name);
-    summary.add_text("parameters_hash", scene.parameters_hash);
-    summary.add_text("morsel_version", MORSEL_VERSION);
-    summary.add_text("deal_ii_version", DEAL_II_PACKAGE_VERSION);
   }
 
 

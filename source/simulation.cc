@@ -2,9 +2,9 @@
 #include "experiment_run.h"
 #include "recorder.h"
 
+#include <morsel/core/atomic_file.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/signals.h>
-#include <morsel/output/atomic_file.h>
 #include <morsel/simulation.h>
 
 #include <chrono>
@@ -55,8 +55,8 @@ namespace Morsel
     RunLog log(
         options.output_directory + "/run.log", options.quiet, first_rank);
     if (first_rank)
-      Output::write_atomically(options.output_directory + "/used.prm",
-                               scene.used_parameters);
+      write_atomically(options.output_directory + "/used.prm",
+                       scene.used_parameters);
     log << scene.title << '\n';
     for (const auto &advice : scene.warnings)
       log.warning(advice);

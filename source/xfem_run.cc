@@ -3,12 +3,12 @@
 #include "plate_summary.h"
 #include "xfem_plan.h"
 
+#include <morsel/core/atomic_file.h>
 #include <morsel/core/log.h>
 #include <morsel/core/vtu.h>
 #include <morsel/fe/open_crack_output.h>
 #include <morsel/fe/point_values.h>
 #include <morsel/fracture/plate_output.h>
-#include <morsel/output/atomic_file.h>
 
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
@@ -102,34 +102,7 @@ namespace Morsel
         text << ": " << solve.n_iterations << " iterations, condition number "
              << solve.condition_number << ", " << solve.n_patch_dofs
              << " unknowns about the cracks directly";
-      return text.str() + '.';
-    }
-
-
-    void
-    tell(RunLog                    &log,
-         const FE::PlateParameters &plate,
-         const FE::PlateResults    &results,
-         const double               seconds)
-    {
-      log << results.n_cells << " cells, " << results.solve.n_dofs
-          << " degrees of freedom, " << seconds << " s\n"
-          << describe(results.solve) << '\n';
-      for (const FE::TipResult &tip : results.tips)
-        {
-          std::ostringstream text;
-          text.precision(8);
-          text << "Tip " << tip.tip << ": K_I = " << tip.statistics.mean.mode_I
-               << ", K_II = " << tip.statistics.mean.mode_II
-               << " Pa sqrt(m), spread " << tip.statistics.spread.mode_I
-               << '\n';
-          log << text.str();
-          if (!tip.remark.empty())
-            log.warning(tip.remark);
-        }
-      if (results.tips.empty())
-        log << "No crack tip in '" << plate.name
-            << "': no stress intensity factors.\n";
+      return text.str();
     }
 
 
@@ -175,9 +148,9 @@ namespace Morsel
       for (unsigned int r = 0; r < n_ranks; ++r)
         files.push_back(name + (n_ranks > 1 ? "_" + std::to_string(r) : "") +
                         ".vtu");
-      Output::write_atomically(folder + "/" + files[rank], text);
+      write_atomically(folder + "/" + files[rank], text);
       if (rank == 0)
-        Output::write_atomically(folder + "/" + name + ".pvd", pvd_text(files));
+        write_atomically(folder + "/" + name + ".pvd", pvd_text(files));
     }
 
 
@@ -191,7 +164,7 @@ namespace Morsel
       const bool first = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
       const std::string solution = folder + "/solution";
       if (first)
-        Output::create_folder(solution);
+        create_folder(solution);
       MPI_Barrier(MPI_COMM_WORLD);
       write_pieces(solution,
                    "plate",
@@ -215,15 +188,14 @@ namespace Morsel
           Fracture::tip_stress_csv(plate, tips, results.tips, sample);
       if (!first)
         return;
-      Output::write_atomically(folder + "/crack_opening.csv", opening);
-      Output::write_atomically(folder + "/tip_stress.csv", stress);
-      Output::write_atomically(
-          folder + "/stress_intensity.csv",
-          Fracture::stress_intensity_csv(tips, results.tips));
-      Output::write_atomically(solution + "/rings.vtu",
-                               Fracture::rings_vtu(tips, results.tips));
-      Output::write_atomically(solution + "/cracks.vtu",
-                               Fracture::cracks_vtu(plate, cracks));
+      write_atomically(folder + "/crack_opening.csv", opening);
+      write_atomically(folder + "/tip_stress.csv", stress);
+      write_atomically(folder + "/stress_intensity.csv",
+                       Fracture::stress_intensity_csv(tips, results.tips));
+      write_atomically(solution + "/rings.vtu",
+                       Fracture::rings_vtu(tips, results.tips));
+      write_atomically(solution + "/cracks.vtu",
+                       Fracture::cracks_vtu(plate, cracks));
     }
   } // namespace
 
@@ -238,35 +210,27 @@ namespace Morsel
     const std::string &folder       = options.output_directory;
     const bool first = Utilities::MPI::this_mpi_process(communicator) == 0;
     RunLog     log(folder + "/run.log", options.quiet, first);
-    log << (plate.title.empty() ? plate.name : plate.title) << '\n';
-    if (first)
-      Output::write_atomically(folder + "/used.prm", used_parameters);
+    start_log(log, plate, options, used_parameters);
 
     const auto              cracks        = Fracture::make_cracks(plate);
     const auto              triangulation = make_triangulation(communicator);
     FE::PlateProblem        problem(plate, cracks, *triangulation);
     const FE::PlateResults &results = problem.run();
-    Output::Summary         summary;
-    add_tips(summary, plate, cracks, results.tips);
-    Timer energy;
-    if (plate.energy_growth > 0.)
-      add_energy_route(
-          summary, plate, FE::energy_route(plate, results.strain_energy));
-    const double energy_time = energy.wall_time();
-    add_costs(summary, results);
-    if (plate.energy_growth > 0.)
-      summary.add_part("energy difference", energy_time);
-    tell(log, plate, results, whole.wall_time());
-
-    Timer output;
-    write_fields(folder, plate, cracks, problem, results);
-    summary.add_part("output", output.wall_time());
-    for (const Output::Effect &effect : effects_of(plate, cracks))
-      summary.add_effect(effect);
-    summary.add("wall_time", whole.wall_time(), "s", "whole run");
-    add_provenance(summary, plate, used_parameters);
-    summary.add_text("solver", results.solve.solver);
-    if (first)
-      summary.write(folder + "/summary.json");
+    std::ostringstream      costs;
+    costs << results.n_cells << " cells, " << results.solve.n_dofs
+          << " degrees of freedom. " << describe(results.solve);
+    finish_run({plate,
+                cracks,
+                results.tips,
+                effects_of(plate, cracks),
+                results.solve.solver,
+                costs.str(),
+                [&] { return FE::energy_route(plate, results.strain_energy); },
+                [&](Output::Summary &summary) { add_costs(summary, results); },
+                [&] { write_fields(folder, plate, cracks, problem, results); }},
+               whole,
+               log,
+               folder,
+               used_parameters);
   }
 } // namespace Morsel

@@ -1,5 +1,5 @@
+#include <morsel/core/atomic_file.h>
 #include <morsel/core/errors.h>
-#include <morsel/output/atomic_file.h>
 #include <morsel/output/digest.h>
 
 #include <cmath>

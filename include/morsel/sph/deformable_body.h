@@ -4,6 +4,11 @@
 #include <morsel/materials/elasticity.h>
 #include <morsel/sph/particles.h>
 
+#include <deal.II/base/tensor.h>
+
+#include <memory>
+#include <vector>
+
 namespace Morsel::SPH
 {
   /// Energies of one body [J].
@@ -100,6 +105,21 @@ namespace Morsel::SPH
     virtual const Materials::Elasticity &
     get_material() const = 0;
   };
+
+
+  /// Of all bodies at their last half steps [kg m/s].
+  template <typename Body>
+  dealii::Tensor<1, 2>
+  total_momentum(const std::vector<std::unique_ptr<Body>> &bodies)
+  {
+    dealii::Tensor<1, 2> sum;
+    for (const auto &body : bodies)
+      {
+        const Vector2 p = body->momentum();
+        sum += dealii::Tensor<1, 2>({p.x, p.y});
+      }
+    return sum;
+  }
 } // namespace Morsel::SPH
 
 #endif

@@ -1,0 +1,55 @@
+#include "run_summary.h"
+
+#include <deal.II/base/config.h>
+#include <deal.II/base/multithread_info.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+
+namespace Morsel
+{
+  void
+  add_loop_costs(Output::Summary &summary, const LoopCosts &costs)
+  {
+    summary.add("particle_count", costs.particle_count, "1", "");
+    summary.add("step_count", costs.step_count, "1", "");
+    summary.add("time_step", costs.time_step, "s", "");
+    summary.add("simulated_time", costs.simulated_time, "s", "");
+    summary.add("wall_time", costs.wall_time, "s", "whole run");
+    summary.add("wall_time_loop", costs.loop_wall_time, "s", "time loop alone");
+    summary.add("particle_steps_per_second",
+                costs.particle_count * costs.step_count /
+                    std::max(costs.loop_wall_time, 1e-9),
+                "1/s",
+                "particles times steps over the loop's wall time");
+  }
+
+
+  void
+  add_provenance(Output::Summary   &summary,
+                 const std::string &title,
+                 const std::string &scene,
+                 const std::string &parameters_hash,
+                 const MPI_Comm     communicator)
+  {
+    dealii::Utilities::System::MemoryStats memory;
+    dealii::Utilities::System::get_memory_stats(memory);
+    summary.add("peak_memory",
+                dealii::Utilities::MPI::max(1024. * memory.VmHWM, communicator),
+                "B",
+                "largest resident size of a rank");
+    summary.add("rank_count",
+                dealii::Utilities::MPI::n_mpi_processes(communicator),
+                "1",
+                "MPI ranks");
+    summary.add("thread_count",
+                dealii::MultithreadInfo::n_threads(),
+                "1",
+                "threads per rank");
+    summary.add_text("title", title);
+    summary.add_text("scene", scene);
+    summary.add_text("parameters_hash", parameters_hash);
+    summary.add_text("morsel_version", MORSEL_VERSION);
+    summary.add_text("deal_ii_version", DEAL_II_PACKAGE_VERSION);
+  }
+} // namespace Morsel

@@ -1,0 +1,38 @@
+#ifndef morsel_run_summary_h
+#define morsel_run_summary_h
+
+#include <morsel/output/summary.h>
+
+#include <mpi.h>
+
+#include <string>
+
+namespace Morsel
+{
+  /// How far a time loop went and what it took.
+  struct LoopCosts
+  {
+    double             particle_count = 0.;
+    unsigned long long step_count     = 0;
+    double             time_step = 0., simulated_time = 0.; ///< [s]
+    double             wall_time      = 0.; ///< of the whole run [s]
+    double             loop_wall_time = 0.; ///< of the loop alone [s]
+  };
+
+
+  /// Counts, steps, wall times and particle-steps per second.
+  void
+  add_loop_costs(Output::Summary &summary, const LoopCosts &costs);
+
+
+  /// Title, versions, hash of the parameters, ranks, threads, peak memory;
+  /// collective over all ranks.
+  void
+  add_provenance(Output::Summary   &summary,
+                 const std::string &title,
+                 const std::string &scene,
+                 const std::string &parameters_hash,
+                 const MPI_Comm     communicator);
+} // namespace Morsel
+
+#endif
