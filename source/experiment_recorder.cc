@@ -1,4 +1,5 @@
 #include "experiment_recorder.h"
+#include "tip_summary.h"
 
 #include <morsel/core/errors.h>
 #include <morsel/measure/particle_field.h>
@@ -11,7 +12,8 @@ namespace Morsel
   namespace
   {
     std::vector<std::string>
-    history_columns(const Scene::Scene &scene)
+    history_columns(const Scene::Scene             &scene,
+                    const std::vector<std::string> &tips)
     {
       std::vector<std::string> c = {"time [s]", "step [1]"};
       for (const auto &observer : scene.observers)
@@ -31,6 +33,10 @@ namespace Morsel
         for (const char d : {'x', 'y'})
           c.push_back(std::string("force_") + d + "_" +
                       underscored(condition.name) + " [N]");
+      for (const std::string &tip : tips)
+        for (const char *mode : {"I", "II"})
+          c.push_back(std::string("stress_intensity_") + mode + tip +
+                      " [Pa sqrt(m)]");
       c.insert(c.end(),
                {"strain_energy [J]",
                 "hourglass_energy [J]",
@@ -68,8 +74,13 @@ namespace Morsel
                             observer.point),
              {}});
       }
-    history = std::make_unique<Output::History>(
-        options.output_directory + "/history.csv", history_columns(scene));
+    open_gauges();
+    std::vector<std::string> tips;
+    for (const Gauged &g : gauged)
+      tips.insert(tips.end(), g.suffixes.begin(), g.suffixes.end());
+    history = std::make_unique<Output::History>(options.output_directory +
+                                                    "/history.csv",
+                                                history_columns(scene, tips));
     if (scene.output.fields)
       for (const auto &body : scene.particle_bodies)
         frames.push_back(std::make_unique<Output::Frames<0>>(
@@ -77,6 +88,27 @@ namespace Morsel
             underscored(body.name),
             MPI_COMM_SELF));
     summarise_velocity_gradients();
+  }
+
+
+  void
+  ExperimentRecorder::open_gauges()
+  {
+    for (unsigned int b = 0; b < scene.particle_bodies.size(); ++b)
+      {
+        const Scene::ParticleBody &body = scene.particle_bodies[b];
+        if (body.cracks.paths.empty())
+          continue;
+        gauged.push_back({b,
+                          std::make_unique<Measure::CrackGauge>(
+                              body, *experiment.bodies()[b], scene.seed),
+                          {},
+                          {}});
+        gauged.back().suffixes = tip_suffixes(gauged.back().gauge->get_tips());
+        if (scene.particle_bodies.size() > 1)
+          for (std::string &suffix : gauged.back().suffixes)
+            suffix += "_" + underscored(body.name);
+      }
   }
 
 
@@ -146,6 +178,13 @@ namespace Morsel
         const Vector2 f = experiment.force(k);
         row.insert(row.end(), {f.x, f.y});
       }
+    for (Gauged &g : gauged)
+      {
+        g.tips = g.gauge->evaluate();
+        for (const Fracture::TipResult &tip : g.tips)
+          row.insert(row.end(),
+                     {tip.statistics.mean.mode_I, tip.statistics.mean.mode_II});
+      }
     row.insert(row.end(),
                {e.strain,
                 e.hourglass,
@@ -209,6 +248,7 @@ namespace Morsel
     if (!frames.empty() && last_frame_time < experiment.time())
       write_frame();
     summarise_observers();
+    summarise_cracks();
     summarise_bodies();
     summarise_ledgers();
     summarise_run();

@@ -4,6 +4,7 @@
 #include "experiment.h"
 
 #include <morsel/core/run_options.h>
+#include <morsel/measure/crack_gauge.h>
 #include <morsel/measure/probe.h>
 #include <morsel/output/frames.h>
 #include <morsel/output/history.h>
@@ -40,12 +41,25 @@ namespace Morsel
     finish();
 
   private:
+    /// The tips of a body's cracks.
+    struct Gauged
+    {
+      unsigned int                         body;
+      std::unique_ptr<Measure::CrackGauge> gauge;
+      std::vector<std::string>             suffixes;
+      /// As of the last sample.
+      std::vector<Fracture::TipResult> tips;
+    };
+
     struct Observed
     {
       unsigned int      body;
       Measure::Probe    probe;
       Measure::Passages passages;
     };
+
+    void
+    open_gauges();
 
     void
     sample();
@@ -58,6 +72,9 @@ namespace Morsel
 
     void
     summarise_observers();
+
+    void
+    summarise_cracks();
 
     void
     summarise_bodies();
@@ -74,6 +91,7 @@ namespace Morsel
     RunLog             &log;
 
     std::vector<Observed>   observed;
+    std::vector<Gauged>     gauged;
     Measure::EnergyLedger   energy;
     Measure::MomentumLedger momentum;
 

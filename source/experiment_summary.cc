@@ -1,5 +1,6 @@
 #include "experiment_recorder.h"
 #include "run_summary.h"
+#include "tip_summary.h"
 
 #include <morsel/core/kernel.h>
 #include <morsel/core/number_list.h>
@@ -104,6 +105,26 @@ namespace Morsel
                         ? std::optional<double>(o.expected_frequency)
                         : std::nullopt);
         summary.add("periods" + name, observed[k].passages.periods(), "1", "");
+      }
+  }
+
+
+  void
+  ExperimentRecorder::summarise_cracks()
+  {
+    for (const Gauged &g : gauged)
+      {
+        const Fracture::BodyCracks &expected =
+            scene.particle_bodies[g.body].cracks;
+        for (unsigned int t = 0; t < g.tips.size(); ++t)
+          {
+            add_stress_intensity(summary,
+                                 g.tips[t],
+                                 g.suffixes[t],
+                                 {expected.expected_I, expected.expected_II});
+            if (!g.tips[t].remark.empty())
+              log.warning(g.tips[t].remark);
+          }
       }
   }
 

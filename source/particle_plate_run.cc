@@ -121,7 +121,7 @@ namespace Morsel
         write_atomically(name, text);
       };
       const auto sample = [&](const std::vector<Point<2>> &points) {
-        return problem.sample(points);
+        return problem.get_field().sample(points);
       };
       const auto &tips = problem.get_tips();
       write(solution + "particles.vtu", SPH::particles_vtu(problem));

@@ -1,6 +1,7 @@
 #include "plate_summary.h"
 
 #include "run_summary.h"
+#include "tip_summary.h"
 
 #include <morsel/core/atomic_file.h>
 #include <morsel/core/parameters.h>
@@ -18,29 +19,7 @@ namespace Morsel
 
   namespace
   {
-    const char *const unit = "Pa sqrt(m)";
-
-
-    /// "" for the first tip of the first crack, "_tip1", "_crack1_tip0" else.
-    std::string
-    tip_suffix(const Fracture::CrackTip &tip, const unsigned int number)
-    {
-      std::string suffix;
-      if (tip.crack > 0)
-        suffix += "_crack" + std::to_string(tip.crack);
-      if (tip.crack > 0 || number > 0)
-        suffix += "_tip" + std::to_string(number);
-      return suffix;
-    }
-
-
-    std::optional<double>
-    reference_of(const std::vector<double> &references, const unsigned int tip)
-    {
-      if (tip < references.size() && references[tip] != 0.)
-        return references[tip];
-      return std::nullopt;
-    }
+    const char *const unit = stress_intensity_unit;
 
 
     void
@@ -109,29 +88,19 @@ namespace Morsel
              const std::vector<Fracture::Crack>     &cracks,
              const std::vector<Fracture::TipResult> &results)
     {
-      const auto   tips   = Fracture::collect_tips(cracks);
-      unsigned int number = 0;
+      const auto suffixes = tip_suffixes(Fracture::collect_tips(cracks));
       for (unsigned int t = 0; t < results.size(); ++t)
         {
-          number = t > 0 && tips[t].crack == tips[t - 1].crack ? number + 1 : 0;
-          const std::string     suffix = tip_suffix(tips[t], number);
-          const StressIntensity k      = results[t].statistics.mean;
-          summary.add("stress_intensity_I" + suffix,
-                      k.mode_I,
-                      unit,
-                      "K_I by interaction integral, mean over the rings",
-                      reference_of(plate.reference_I, t));
-          summary.add("stress_intensity_II" + suffix,
-                      k.mode_II,
-                      unit,
-                      "K_II by interaction integral, mean over the rings",
-                      reference_of(plate.reference_II, t));
-          add_rings(summary, results[t], suffix);
-          summary.add("energy_release_rate" + suffix,
+          add_stress_intensity(summary,
+                               results[t],
+                               suffixes[t],
+                               {plate.reference_I, plate.reference_II});
+          add_rings(summary, results[t], suffixes[t]);
+          summary.add("energy_release_rate" + suffixes[t],
                       results[t].energy_release.back(),
                       "J/m^2",
                       "J over the largest ring");
-          add_two_directions(summary, plate, results[t], suffix);
+          add_two_directions(summary, plate, results[t], suffixes[t]);
         }
       const double formula = Fracture::formula_stress_intensity(plate, cracks);
       if (formula != 0. && !results.empty())

@@ -14,13 +14,6 @@ namespace Morsel::Fracture
   namespace
   {
     std::string
-    text(const Point<2> &p)
-    {
-      return "(" + number_text(p[0]) + ", " + number_text(p[1]) + ") m";
-    }
-
-
-    std::string
     entry(const unsigned int side, const char *what)
     {
       return std::string("'Boundary/") + side_names[side] + " " + what + "'";
@@ -47,9 +40,9 @@ namespace Morsel::Fracture
           const double side = plate.upper_corner[d] - plate.lower_corner[d];
           if (!(side >= 1e-9 && side <= 1e6))
             throw InputError("'Plate/Upper corner' " +
-                             text(plate.upper_corner) +
+                             point_text(plate.upper_corner) +
                              " must exceed 'Plate/Lower corner' " +
-                             text(plate.lower_corner) +
+                             point_text(plate.lower_corner) +
                              " by 1e-9 to 1e6 m in both "
                              "coordinates.");
         }
@@ -280,8 +273,8 @@ namespace Morsel::Fracture
             throw InputError(
                 "'Cracks/Paths': the cracks cut the plate into " +
                 std::to_string(parts.size()) +
-                " parts, and nothing holds the one at " + text(part.place) +
-                " along " + (d == 0 ? "x" : "y") +
+                " parts, and nothing holds the one at " +
+                point_text(part.place) + " along " + (d == 0 ? "x" : "y") +
                 ": end a crack inside the plate, or put a side of that part "
                 "on a 'clamp'.");
     }
@@ -304,8 +297,8 @@ namespace Morsel::Fracture
                   number_text(plate.energy_growth) +
                   " m; it must be below half the length of the crack's "
                   "segment at the tip " +
-                  text(tip.position) + ", " + number_text(0.5 * tip.segment) +
-                  " m.");
+                  point_text(tip.position) + ", " +
+                  number_text(0.5 * tip.segment) + " m.");
           grown.push_back(crack.with_moved_tips(2. * plate.energy_growth));
         }
       const auto refuse = [&](const std::string &why) {

@@ -1,5 +1,6 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/suggestions.h>
+#include <morsel/fracture/crack_paths.h>
 #include <morsel/fracture/plate_scene.h>
 
 #include <deal.II/base/numbers.h>
@@ -19,82 +20,28 @@ namespace Morsel::Fracture
 
   namespace
   {
-    std::string
-    text(const Point<2> &p)
+    CrackedFrame
+    plate_frame(const PlateScene &plate)
     {
-      std::ostringstream out;
-      out << '(' << p[0] << ", " << p[1] << ") m";
-      return out.str();
+      return {"plate", plate.lower_corner, plate.upper_corner};
     }
 
 
     std::vector<std::vector<Point<2>>>
-    read_paths(const PlateScene &plate)
+    paths_of(const PlateScene &plate)
     {
-      std::vector<std::vector<Point<2>>> paths;
-      if (plate.crack_form == "inclined")
-        {
-          const double       angle = plate.angle * numbers::PI / 180.;
-          const Tensor<1, 2> half({plate.half_length * std::cos(angle),
-                                   plate.half_length * std::sin(angle)});
-          const Point<2>     centre = read_pair(plate.centre, "Cracks/Centre");
-          paths.push_back({centre - half, centre + half});
-          return paths;
-        }
-      for (const std::string &path :
-           Utilities::split_string_list(plate.paths, ';'))
-        {
-          if (path.empty())
-            continue;
-          paths.emplace_back();
-          for (const std::string &point :
-               Utilities::split_string_list(path, '>'))
-            paths.back().push_back(read_pair(point, "Cracks/Paths"));
-        }
-      return paths;
-    }
-
-
-    /// Refuses points outside the plate, a crack of no length and one along
-    /// the boundary.
-    void
-    check_path(const PlateScene            &plate,
-               const std::vector<Point<2>> &path,
-               const double                 tolerance)
-    {
-      if (path.size() < 2)
-        throw InputError("'Cracks/Paths' has a crack of one point; it needs at "
-                         "least two, as in 'x, y > x, y'.");
-      for (unsigned int i = 0; i < path.size(); ++i)
-        {
-          const bool   end   = i == 0 || i + 1 == path.size();
-          const double depth = depth_inside(plate, path[i]);
-          if (depth < -tolerance)
-            throw InputError("The crack's point " + text(path[i]) +
-                             " lies outside the plate, which reaches from " +
-                             text(plate.lower_corner) + " to " +
-                             text(plate.upper_corner) +
-                             "; a crack may end on the boundary at most.");
-          if (!end && depth < tolerance)
-            throw InputError("The crack's point " + text(path[i]) +
-                             " lies on the plate's boundary; only a crack's "
-                             "ends may lie there.");
-          if (i > 0 && path[i].distance(path[i - 1]) <= tolerance)
-            throw InputError(
-                "The crack from " + text(path[i - 1]) + " to " + text(path[i]) +
-                " has no length; give two different points" +
-                (plate.crack_form == "inclined"
-                     ? ", that is a 'Cracks/Half length' above 0 (it is " +
-                           number_text(plate.half_length) + " m)."
-                     : "."));
-        }
-      // Interior vertices lie inside: only a straight crack can do this.
-      if (path.size() == 2 &&
-          depth_inside(plate, path[0] + 0.5 * (path[1] - path[0])) <= tolerance)
-        throw InputError("The crack from " + text(path[0]) + " to " +
-                         text(path[1]) +
-                         " runs along the plate's boundary; a crack must run "
-                         "inside the plate.");
+      if (plate.crack_form != "inclined")
+        return read_crack_paths(plate.paths, "Cracks/Paths");
+      const double       angle = plate.angle * numbers::PI / 180.;
+      const Tensor<1, 2> half({plate.half_length * std::cos(angle),
+                               plate.half_length * std::sin(angle)});
+      const Point<2>     centre = read_pair(plate.centre, "Cracks/Centre");
+      if (!(half.norm() > 1e-9 * plate_frame(plate).size()))
+        throw InputError("The crack at " + point_text(centre) +
+                         " has no length; give a 'Cracks/Half length' "
+                         "above 0 (it is " +
+                         number_text(plate.half_length) + " m).");
+      return {{centre - half, centre + half}};
     }
 
 
@@ -199,33 +146,7 @@ namespace Morsel::Fracture
   double
   depth_inside(const PlateScene &plate, const Point<2> &p)
   {
-    return std::min({p[0] - plate.lower_corner[0],
-                     plate.upper_corner[0] - p[0],
-                     p[1] - plate.lower_corner[1],
-                     plate.upper_corner[1] - p[1]});
-  }
-
-
-  Point<2>
-  read_pair(const std::string &pair, const std::string &entry)
-  {
-    const auto parts = Utilities::split_string_list(pair, ',');
-    try
-      {
-        if (parts.size() == 2)
-          {
-            const Point<2> p(Utilities::string_to_double(parts[0]),
-                             Utilities::string_to_double(parts[1]));
-            if (std::isfinite(p[0]) && std::isfinite(p[1]))
-              return p;
-          }
-      }
-    catch (const dealii::ExceptionBase &)
-      {
-        // The sentence below serves for this mistake, too.
-      }
-    throw InputError("'" + entry + "' has '" + trimmed(pair) +
-                     "' where two finite numbers 'x, y' are needed.");
+    return plate_frame(plate).depth_inside(p);
   }
 
 
@@ -269,33 +190,14 @@ namespace Morsel::Fracture
   double
   mouth_overhang(const PlateScene &plate)
   {
-    return 0.01 * (plate.upper_corner - plate.lower_corner).norm();
+    return plate_frame(plate).mouth_overhang();
   }
 
 
   std::vector<Crack>
   make_cracks(const PlateScene &plate)
   {
-    const double       size = (plate.upper_corner - plate.lower_corner).norm();
-    const double       tolerance = 1e-9 * size;
-    std::vector<Crack> cracks;
-    for (const std::vector<Point<2>> &path : read_paths(plate))
-      {
-        check_path(plate, path, tolerance);
-        const Crack crack(path,
-                          depth_inside(plate, path.front()) > tolerance,
-                          depth_inside(plate, path.back()) > tolerance);
-        for (unsigned int c = 0; c < cracks.size(); ++c)
-          if (cracks[c].distance(crack) <= tolerance)
-            throw InputError("'Cracks/Paths': cracks " + std::to_string(c) +
-                             " and " + std::to_string(cracks.size()) +
-                             " touch or cross each other; they must stay "
-                             "apart.");
-        cracks.push_back(crack);
-      }
-    for (Crack &crack : cracks)
-      crack = crack.with_extended_mouths(mouth_overhang(plate));
-    return cracks;
+    return cracks_in(plate_frame(plate), paths_of(plate), "Cracks/Paths");
   }
 
 

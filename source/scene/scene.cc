@@ -55,6 +55,10 @@ namespace Morsel::Scene
                       "if empty.");
     prm.leave_subsection();
 
+    prm.enter_subsection("Cracks");
+    cracks.declare(prm);
+    prm.leave_subsection();
+
     prm.enter_subsection("Material");
     material.declare(prm);
     prm.leave_subsection();

@@ -1,4 +1,5 @@
 #include <morsel/core/errors.h>
+#include <morsel/core/kernel.h>
 #include <morsel/sph/applied_conditions.h>
 
 #include <algorithm>
@@ -112,17 +113,23 @@ namespace Morsel::SPH
         return;
       }
 
-    // Surface vectors differ from zero up to two supports from the edge.
+    // Surface vectors differ from zero up to two supports from the edge, and
+    // from the opposite edge and the faces of cracks, which bear no load.
     const unsigned int d    = normal_axis(side);
     const double       sign = is_upper(side) ? 1. : -1.;
-    const double       middle =
-        0.5 * (body.shape.lower_corner[d] + body.shape.upper_corner[d]);
+    const double       edge = is_upper(side) ? body.shape.upper_corner[d]
+                                             : body.shape.lower_corner[d];
+    const double       reach =
+        std::min(0.5 * body.shape.extent(d),
+                 2. * Kernel(kernel_named(body.solid.kernel),
+                             body.solid.smoothing_ratio * body.spacing)
+                          .support());
     const std::vector<Vector2> surface = solid.surface_vectors();
     double                     sum     = 0.;
     for (unsigned int i = 0; i < p.n_owned; ++i)
       {
         const double share = sign * as_tensor(surface[i])[d];
-        if (sign * (p.reference[i][d] - middle) <= 0. ||
+        if (sign * (edge - p.reference[i][d]) >= reach ||
             !concerns(p.reference[i]) ||
             std::abs(share) < 1e-12 * p.volume / p.spacing)
           continue;

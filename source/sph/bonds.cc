@@ -1,4 +1,5 @@
 #include <morsel/sph/bonds.h>
+#include <morsel/sph/visibility.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +7,15 @@
 namespace Morsel::SPH
 {
   void
-  Bonds::build(const Particles &particles, const Kernel &kernel)
+  Bonds::build(const Particles                    &particles,
+               const Kernel                       &kernel,
+               const std::vector<Fracture::Crack> &cracks)
   {
     list = find_neighbours(
         particles.reference, particles.n_owned, kernel.support());
+    keep_visible(list,
+                 particles.reference,
+                 {cracks, TipHandling::visibility, kernel.support()});
     const unsigned int n = list.index.size();
     weight.resize(n);
     dx.resize(n);

@@ -1,6 +1,7 @@
 #include <morsel/core/errors.h>
 #include <morsel/sph/cloud.h>
 #include <morsel/sph/neighbours.h>
+#include <morsel/sph/visibility.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -285,17 +286,12 @@ namespace Morsel::SPH
       scatter(filling, cloud.spacing, seeds);
 
     cloud.points = positions(seeds);
-    for (const Point<2> &p : cloud.points)
-      for (const Crack &crack : cracks)
-        if (crack.distance(p) < 1e-3 * cloud.spacing)
-          {
-            std::ostringstream message;
-            message << "A particle at (" << p
-                    << ") m lies on a crack: choose numbers of particles that "
-                       "put no row there (even ones for a crack at mid "
-                       "height), or set 'SPH/Fit to cracks = true'.";
-            throw InputError(message.str());
-          }
+    check_off_cracks(cloud.points,
+                     cracks,
+                     cloud.spacing,
+                     "choose numbers of particles that put no row there (even "
+                     "ones for a crack at mid height), or set 'SPH/Fit to "
+                     "cracks = true'.");
     cloud.cells =
         voronoi_cells(cloud.points, cloud.lower, cloud.upper, cloud.spacing);
     return cloud;

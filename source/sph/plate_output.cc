@@ -76,10 +76,11 @@ namespace Morsel::SPH
         const auto &facets = cloud.cells[i].facets;
         for (const CellFacet &facet : facets)
           {
-            add_sample(grid,
-                       facet.first,
-                       problem.sample_from(cloud.points[i], facet.first),
-                       problem.get_material());
+            add_sample(
+                grid,
+                facet.first,
+                problem.get_field().sample_from(cloud.points[i], facet.first),
+                problem.get_material());
             grid.point_field("distance_over_ring", 1)
                 .push_back(in_units_of_ring(problem, facet.first));
           }

@@ -161,48 +161,13 @@ namespace Morsel::SPH
     results.strain_energy    = solid.strain_energy(displacement);
     results.hourglass_energy = control.energy(displacement);
     results.external_work    = 2. * results.strain_energy;
-    results.tips.clear();
-    for (unsigned int t = 0; t < tips.size(); ++t)
-      {
-        Fracture::TipResult tip =
-            choose_rings(cloud, cracks, tips[t], parameters.ring_radius);
-        tip.tip = t;
-        evaluate_rings(
-            [&](const std::vector<Point<2>> &points) { return sample(points); },
-            material,
-            tips[t],
-            cloud.spacing,
-            parameters.two_directions,
-            tip);
-        results.tips.push_back(tip);
-      }
-    results.tip_time = timer.wall_time();
+    results.tips             = evaluate_tips({*shape, displacement, gradients},
+                                 cracks,
+                                 material,
+                                 parameters.ring_radius,
+                                 parameters.two_directions);
+    results.tip_time         = timer.wall_time();
     return results;
-  }
-
-
-  Fracture::DisplacementSample
-  PlateProblem::sample_from(const Point<2> &eye, const Point<2> &x) const
-  {
-    ShapeValues values;
-    shape->evaluate(eye, x, values);
-    Fracture::DisplacementSample sample;
-    for (unsigned int k = 0; k < values.index.size(); ++k)
-      {
-        sample.value += values.value[k] * displacement[values.index[k]];
-        sample.gradient += values.value[k] * gradients[values.index[k]];
-      }
-    return sample;
-  }
-
-
-  std::vector<Fracture::DisplacementSample>
-  PlateProblem::sample(const std::vector<Point<2>> &points) const
-  {
-    std::vector<Fracture::DisplacementSample> samples;
-    for (const Point<2> &p : points)
-      samples.push_back(sample_from(p, p));
-    return samples;
   }
 
 

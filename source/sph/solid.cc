@@ -1,5 +1,6 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/parallel.h>
+#include <morsel/sph/body_cracks.h>
 #include <morsel/sph/solid.h>
 #include <morsel/sph/stable_step.h>
 
@@ -78,7 +79,7 @@ namespace Morsel::SPH
     if (viscosity)
       particles.viscous_heat.assign(n, 0.);
 
-    bonds.build(particles, kernel);
+    bonds.build(particles, kernel, cracks_of(body, seed));
     normalise(body);
   }
 
@@ -150,17 +151,17 @@ namespace Morsel::SPH
                                    material,
                                    body.material.compressive_strength,
                                    particles.volume);
-    fracture = std::make_unique<Fracture>(particles,
-                                          bonds,
-                                          kernel,
-                                          material,
-                                          linear_law,
-                                          law,
-                                          constants,
-                                          body.damage,
-                                          scene.measures.friend_distance *
-                                              particles.spacing,
-                                          scene.seed);
+    fracture = std::make_unique<DamageEvolution>(
+        particles,
+        bonds,
+        kernel,
+        material,
+        linear_law,
+        law,
+        constants,
+        body.damage,
+        scene.measures.friend_distance * particles.spacing,
+        scene.seed);
     granular = std::make_unique<Granular>(
         particles,
         bonds,

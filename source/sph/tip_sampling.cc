@@ -166,4 +166,58 @@ namespace Morsel::SPH
       }
     result.statistics = Fracture::ring_statistics(result.by_ring);
   }
+
+
+  Fracture::DisplacementSample
+  CloudField::sample_from(const Point<2> &eye, const Point<2> &x) const
+  {
+    ShapeValues values;
+    shape.evaluate(eye, x, values);
+    Fracture::DisplacementSample sample;
+    for (unsigned int k = 0; k < values.index.size(); ++k)
+      {
+        sample.value += values.value[k] * displacement[values.index[k]];
+        sample.gradient += values.value[k] * gradients[values.index[k]];
+      }
+    return sample;
+  }
+
+
+  std::vector<Fracture::DisplacementSample>
+  CloudField::sample(const std::vector<Point<2>> &points) const
+  {
+    std::vector<Fracture::DisplacementSample> samples;
+    for (const Point<2> &p : points)
+      samples.push_back(sample_from(p, p));
+    return samples;
+  }
+
+
+  std::vector<Fracture::TipResult>
+  evaluate_tips(const CloudField                   &field,
+                const std::vector<Fracture::Crack> &cracks,
+                const Fracture::ElasticPlane       &material,
+                const double                        ring_radius,
+                const bool                          both_components)
+  {
+    const Cloud                     &cloud = field.shape.get_cloud();
+    std::vector<Fracture::TipResult> results;
+    for (const Fracture::CrackTip &tip : Fracture::collect_tips(cracks))
+      {
+        Fracture::TipResult result =
+            choose_rings(cloud, cracks, tip, ring_radius);
+        result.tip = results.size();
+        evaluate_rings(
+            [&](const std::vector<Point<2>> &points) {
+              return field.sample(points);
+            },
+            material,
+            tip,
+            cloud.spacing,
+            both_components,
+            result);
+        results.push_back(result);
+      }
+    return results;
+  }
 } // namespace Morsel::SPH

@@ -1,6 +1,7 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/parallel.h>
 #include <morsel/sph/artificial_stress.h>
+#include <morsel/sph/body_cracks.h>
 #include <morsel/sph/stable_step.h>
 #include <morsel/sph/updated_lagrangian.h>
 
@@ -62,6 +63,9 @@ namespace Morsel::SPH
       , kernel(kernel_named(body.solid.kernel),
                body.solid.smoothing_ratio * body.spacing)
       , skin(skin_ratio * body.spacing)
+      , visibility(cracks_of(body, scene.seed),
+                   TipHandling::visibility,
+                   kernel.support())
   {
     const double dp     = body.spacing;
     particles.reference = body.positions(scene.seed);
@@ -141,6 +145,7 @@ namespace Morsel::SPH
       }
     neighbours = find_neighbours(
         searched_at, particles.n_owned, kernel.support() + skin);
+    keep_visible(neighbours, particles.reference, visibility);
     ++searches;
     const std::size_t n = neighbours.index.size();
     weight.resize(n);

@@ -1,6 +1,8 @@
+#include <morsel/core/errors.h>
 #include <morsel/sph/visibility.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace Morsel::SPH
 {
@@ -71,5 +73,44 @@ namespace Morsel::SPH
           }
       }
     return best;
+  }
+
+
+  void
+  keep_visible(NeighbourList               &list,
+               const std::vector<Point<2>> &reference,
+               const Visibility            &visibility)
+  {
+    if (!visibility.has_cracks())
+      return;
+    unsigned int kept = 0, begin = 0;
+    for (unsigned int i = 0; i < list.n_rows(); ++i)
+      {
+        const unsigned int end = list.start[i + 1];
+        for (unsigned int k = begin; k < end; ++k)
+          if (visibility.sees(reference[i], reference[list.index[k]]))
+            list.index[kept++] = list.index[k];
+        list.start[i + 1] = kept;
+        begin             = end;
+      }
+    list.index.resize(kept);
+  }
+
+
+  void
+  check_off_cracks(const std::vector<Point<2>> &particles,
+                   const std::vector<Crack>    &cracks,
+                   const double                 spacing,
+                   const std::string           &advice)
+  {
+    for (const Point<2> &p : particles)
+      for (const Crack &crack : cracks)
+        if (crack.distance(p) < 1e-3 * spacing)
+          {
+            std::ostringstream message;
+            message << "A particle at (" << p
+                    << ") m lies on a crack: " << advice;
+            throw InputError(message.str());
+          }
   }
 } // namespace Morsel::SPH

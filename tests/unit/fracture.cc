@@ -5,7 +5,7 @@
 #include "patch_body.h"
 
 #include <morsel/measure/fragments.h>
-#include <morsel/sph/fracture.h>
+#include <morsel/sph/damage_evolution.h>
 #include <morsel/sph/granular.h>
 
 #include <boost/test/unit_test.hpp>
@@ -94,7 +94,7 @@ namespace
     unsigned int                n;
     Materials::DamageParameters parameters;
     Materials::DamageLaw        law;
-    Fracture                    fracture;
+    DamageEvolution             fracture;
     double                      grain_energy = 0.; ///< of what has failed [J]
   };
 

@@ -3,8 +3,11 @@
 
 #include <morsel/scene/scene.h>
 #include <morsel/sph/solid.h>
+#include <morsel/sph/updated_lagrangian.h>
 
 #include <algorithm>
+#include <memory>
+#include <string>
 
 namespace Morsel::SPH
 {
@@ -29,6 +32,41 @@ namespace Morsel::SPH
     body.material.compressive_strength = 101.2e3;
     scene.particle_bodies.push_back(body);
     return scene;
+  }
+
+
+  /// A scene with one block of linear elastic particles about the origin
+  /// without viscosity, for bodies of any formulation.
+  inline Scene::Scene
+  scene_of_formulation(const std::string &formulation,
+                       const unsigned int nx,
+                       const unsigned int ny,
+                       const double       spacing)
+  {
+    Scene::Scene               scene = scene_of_block(nx, ny, spacing, 0.3);
+    auto                      &body  = scene.particle_bodies.front();
+    const dealii::Tensor<1, 2> half  = 0.5 * body.shape.upper_corner;
+    scene.depth                      = 1.;
+    scene.domain.lower_corner        = {-1., -1.};
+    scene.domain.upper_corner        = {1., 1.};
+    body.shape.lower_corner -= half;
+    body.shape.upper_corner -= half;
+    body.material.density        = 1000.;
+    body.material.youngs_modulus = 1e7;
+    body.material.law            = "linear";
+    body.solid.viscosity         = "off";
+    body.solid.formulation       = formulation;
+    return scene;
+  }
+
+
+  inline std::unique_ptr<DeformableBody>
+  make_body(const Scene::Scene &scene)
+  {
+    const auto &body = scene.particle_bodies.front();
+    if (body.solid.is_updated())
+      return std::make_unique<UpdatedLagrangian>(body, scene);
+    return std::make_unique<Solid>(body, scene, MPI_COMM_SELF);
   }
 
 

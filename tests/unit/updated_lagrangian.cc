@@ -5,8 +5,8 @@
 #include <morsel/materials/elasticity.h>
 #include <morsel/measure/particle_field.h>
 #include <morsel/sph/artificial_stress.h>
-#include <morsel/sph/solid.h>
-#include <morsel/sph/updated_lagrangian.h>
+
+#include "solid_scene.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -22,33 +22,7 @@ namespace
   Scene::Scene
   scene_of(const unsigned int nx, const unsigned int ny)
   {
-    Scene::Scene scene;
-    scene.domain.lower_corner = {-1., -1.};
-    scene.domain.upper_corner = {1., 1.};
-    Scene::ParticleBody body;
-    body.name                    = "block";
-    body.shape.lower_corner      = {-0.5 * nx * spacing, -0.5 * ny * spacing};
-    body.shape.upper_corner      = {0.5 * nx * spacing, 0.5 * ny * spacing};
-    body.particles_across        = nx;
-    body.spacing                 = spacing;
-    body.material.density        = 1000.;
-    body.material.youngs_modulus = 1e7;
-    body.material.poissons_ratio = 0.3;
-    body.material.law            = "linear";
-    body.solid.viscosity         = "off";
-    body.solid.formulation       = "updated Lagrangian";
-    scene.particle_bodies.push_back(body);
-    return scene;
-  }
-
-
-  std::unique_ptr<SPH::DeformableBody>
-  make_body(const Scene::Scene &scene)
-  {
-    const auto &body = scene.particle_bodies.front();
-    if (body.solid.is_updated())
-      return std::make_unique<SPH::UpdatedLagrangian>(body, scene);
-    return std::make_unique<SPH::Solid>(body, scene, MPI_COMM_SELF);
+    return SPH::scene_of_formulation("updated Lagrangian", nx, ny, spacing);
   }
 
 
@@ -67,7 +41,7 @@ namespace
     body.solid.normalisation    = normalisation;
     body.scatter                = scatter;
     body.initial_velocity_field = field;
-    const auto solid            = make_body(scene);
+    const auto solid            = SPH::make_body(scene);
     solid->compute_accelerations(1e-7);
     return Measure::strain_rate_errors(
         *solid, body, 2. * 1.3 * spacing, gradient);
@@ -198,7 +172,7 @@ BOOST_AUTO_TEST_CASE(momentum_and_energy_are_kept)
         body.solid.viscosity         = dissipative ? "on" : "off";
         body.solid.artificial_stress = dissipative ? 0.1 : 0.;
         body.initial_velocity_field  = "0.5*sin(300*y); 0.2*x*300";
-        const auto solid             = make_body(scene);
+        const auto solid             = SPH::make_body(scene);
         // The heat of viscosity is a sum of rectangles, of first order in dt.
         const double dt = solid->stable_time_step(0.) / (dissipative ? 4. : 1.);
         const unsigned int steps = dissipative ? 1200 : 300;

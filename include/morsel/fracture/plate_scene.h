@@ -1,7 +1,7 @@
 #ifndef morsel_fracture_plate_scene_h
 #define morsel_fracture_plate_scene_h
 
-#include <morsel/fracture/crack.h>
+#include <morsel/fracture/crack_paths.h>
 #include <morsel/fracture/energy_release.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -27,8 +27,8 @@ namespace Morsel::Fracture
     double poissons_ratio = 0.3;
     bool   plane_stress   = false;
 
-    std::string crack_form  = "paths"; ///< or "inclined"
-    std::string paths       = "";      ///< "x, y > x, y; ..."
+    std::string crack_form = "paths"; ///< or "inclined"
+    std::string paths;                ///< "x, y > x, y; ..."
     std::string centre      = "0.005, 0.005";
     double      half_length = 5e-4; ///< [m]
     double      angle       = 0.;   ///< from the x axis [degrees]
@@ -92,12 +92,6 @@ namespace Morsel::Fracture
 
   /// "Left", "Right", "Bottom", "Top".
   extern const std::array<const char *, 4> side_names;
-
-
-  /// Two numbers "x, y", both finite.
-  /// @throws InputError naming the entry if the text is anything else
-  dealii::Point<2>
-  read_pair(const std::string &text, const std::string &entry);
 
 
   /// K_I of the formula named [Pa sqrt(m)], 0 for "none". "edge crack in

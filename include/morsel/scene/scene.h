@@ -2,6 +2,7 @@
 #define morsel_scene_scene_h
 
 #include <morsel/contact/parameters.h>
+#include <morsel/fracture/parameters.h>
 #include <morsel/jaw/motion.h>
 #include <morsel/materials/parameters.h>
 #include <morsel/scene/conditions.h>
@@ -32,6 +33,7 @@ namespace Morsel::Scene
     std::string                   expected_velocity_gradient;
     Materials::MaterialParameters material; ///< completed from the catalogue
     Materials::DamageParameters   damage;
+    Fracture::BodyCracks          cracks;
     SPH::SolidParameters          solid;
 
     void

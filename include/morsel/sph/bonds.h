@@ -2,6 +2,7 @@
 #define morsel_sph_bonds_h
 
 #include <morsel/core/kernel.h>
+#include <morsel/fracture/crack.h>
 #include <morsel/sph/neighbours.h>
 #include <morsel/sph/particles.h>
 
@@ -47,8 +48,11 @@ namespace Morsel::SPH
     std::vector<unsigned int> mirror; ///< entry (j, i) of entry (i, j)
     PackedBonds               packed;
 
+    /// @param cracks past which particles do not see each other
     void
-    build(const Particles &particles, const Kernel &kernel);
+    build(const Particles                    &particles,
+          const Kernel                       &kernel,
+          const std::vector<Fracture::Crack> &cracks = {});
 
     /// Fills what cuts and averages need; to be called before the first.
     void

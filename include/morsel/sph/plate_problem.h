@@ -81,15 +81,12 @@ namespace Morsel::SPH
       return results;
     }
 
-    /// Displacement and gradient at @p x as @p eye sees them: the moving
-    /// least-squares fits of the particles' displacements and of their own
-    /// gradients, on the side that it sees.
-    Fracture::DisplacementSample
-    sample_from(const dealii::Point<2> &eye, const dealii::Point<2> &x) const;
-
-    /// The same at points that see for themselves.
-    std::vector<Fracture::DisplacementSample>
-    sample(const std::vector<dealii::Point<2>> &points) const;
+    /// The solution, to be asked anywhere.
+    CloudField
+    get_field() const
+    {
+      return {*shape, displacement, gradients};
+    }
 
     const Fracture::ElasticPlane &
     get_material() const

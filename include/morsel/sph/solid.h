@@ -3,8 +3,8 @@
 
 #include <morsel/scene/scene.h>
 #include <morsel/sph/bonds.h>
+#include <morsel/sph/damage_evolution.h>
 #include <morsel/sph/deformable_body.h>
-#include <morsel/sph/fracture.h>
 #include <morsel/sph/granular.h>
 #include <morsel/sph/host.h>
 #include <morsel/sph/normalisation.h>
@@ -179,8 +179,8 @@ namespace Morsel::SPH
     PairKernels::Strain strain_loop;
     PairKernels::Force  force_loop;
 
-    std::unique_ptr<Fracture> fracture;
-    std::unique_ptr<Granular> granular;
+    std::unique_ptr<DamageEvolution> fracture;
+    std::unique_ptr<Granular>        granular;
   };
 } // namespace Morsel::SPH
 

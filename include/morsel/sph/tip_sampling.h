@@ -32,6 +32,34 @@ namespace Morsel::SPH
                  const double                  spacing,
                  const bool                    both_components,
                  Fracture::TipResult          &result);
+
+
+  /// Displacements of a cloud and the particles' own gradients of them.
+  struct CloudField
+  {
+    const ShapeFunctions &shape;
+    const VectorField    &displacement; ///< [m]
+    const TensorField    &gradients;    ///< H_i [1]
+
+    /// The moving least-squares fits of both at @p x on the side that
+    /// @p eye sees.
+    Fracture::DisplacementSample
+    sample_from(const dealii::Point<2> &eye, const dealii::Point<2> &x) const;
+
+    /// The same at points that see for themselves.
+    std::vector<Fracture::DisplacementSample>
+    sample(const std::vector<dealii::Point<2>> &points) const;
+  };
+
+
+  /// K at all tips, over the largest rings that fit or the one wished for.
+  /// @throws InputError if that one does not fit
+  std::vector<Fracture::TipResult>
+  evaluate_tips(const CloudField                   &field,
+                const std::vector<Fracture::Crack> &cracks,
+                const Fracture::ElasticPlane       &material,
+                const double                        ring_radius,
+                const bool                          both_components);
 } // namespace Morsel::SPH
 
 #endif

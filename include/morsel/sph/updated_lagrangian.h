@@ -4,6 +4,7 @@
 #include <morsel/scene/scene.h>
 #include <morsel/sph/deformable_body.h>
 #include <morsel/sph/updated_loops.h>
+#include <morsel/sph/visibility.h>
 
 #include <string>
 #include <vector>
@@ -122,7 +123,8 @@ namespace Morsel::SPH
     const double                depth, cfl, epsilon; ///< of artificial stress
     const Materials::Elasticity material;
     const Kernel                kernel;
-    const double                skin; ///< [m]
+    const double                skin;       ///< [m]
+    const Visibility            visibility; ///< in the reference places
     UpdatedConstants            constants;
 
     Particles particles;

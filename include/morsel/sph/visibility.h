@@ -2,6 +2,7 @@
 #define morsel_sph_visibility_h
 
 #include <morsel/fracture/crack.h>
+#include <morsel/sph/neighbours.h>
 
 #include <deal.II/base/point.h>
 
@@ -43,6 +44,12 @@ namespace Morsel::SPH
     bool
     sees(const dealii::Point<2> &p, const dealii::Point<2> &q) const;
 
+    bool
+    has_cracks() const
+    {
+      return !cracks.empty();
+    }
+
     /// The distance that the kernel takes [m]: that from @p x to @p node if
     /// @p eye sees the node, else what the tip handling makes of it, or
     /// hidden. A shape function on a facet of a cell is judged from the
@@ -59,6 +66,25 @@ namespace Morsel::SPH
     TipHandling                     handling;
     double                          reach;
   };
+
+
+  /// Leaves out the pairs that do not see each other in the reference
+  /// configuration.
+  /// @param reference X [m]
+  void
+  keep_visible(NeighbourList                       &list,
+               const std::vector<dealii::Point<2>> &reference,
+               const Visibility                    &visibility);
+
+
+  /// A particle on a crack would belong to both of its faces.
+  /// @param spacing of the particles [m]
+  /// @throws InputError, ending with the @p advice
+  void
+  check_off_cracks(const std::vector<dealii::Point<2>> &particles,
+                   const std::vector<Fracture::Crack>  &cracks,
+                   const double                         spacing,
+                   const std::string                   &advice);
 } // namespace Morsel::SPH
 
 #endif

@@ -1,5 +1,5 @@
 #include <morsel/core/parallel.h>
-#include <morsel/sph/fracture.h>
+#include <morsel/sph/damage_evolution.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,16 +41,17 @@ namespace Morsel::SPH
   } // namespace
 
 
-  Fracture::Fracture(Particles                         &particles,
-                     Bonds                             &bonds,
-                     const Kernel                      &kernel,
-                     const Materials::Elasticity       &material,
-                     const bool                         linear_law,
-                     const Materials::DamageLaw        &law,
-                     const BondedConstants             &loop_constants,
-                     const Materials::DamageParameters &parameters,
-                     const double                       friend_distance,
-                     const unsigned int                 seed)
+  DamageEvolution::DamageEvolution(
+      Particles                         &particles,
+      Bonds                             &bonds,
+      const Kernel                      &kernel,
+      const Materials::Elasticity       &material,
+      const bool                         linear_law,
+      const Materials::DamageLaw        &law,
+      const BondedConstants             &loop_constants,
+      const Materials::DamageParameters &parameters,
+      const double                       friend_distance,
+      const unsigned int                 seed)
       : particles(particles)
       , bonds(bonds)
       , material(material)
@@ -89,7 +90,7 @@ namespace Morsel::SPH
 
 
   void
-  Fracture::find_groups_nearby()
+  DamageEvolution::find_groups_nearby()
   {
     const unsigned int n_groups = particles.n_groups();
     particles.crushed.assign(n_groups, 0);
@@ -120,7 +121,7 @@ namespace Morsel::SPH
 
 
   const std::vector<unsigned int> &
-  Fracture::update(const double time_step)
+  DamageEvolution::update(const double time_step)
   {
     newly_failed.clear();
 
@@ -158,7 +159,7 @@ namespace Morsel::SPH
 
 
   void
-  Fracture::break_up()
+  DamageEvolution::break_up()
   {
     // Cutting bonds can leave others with too few of them: those fail too.
     while (!failed_now.empty())
@@ -183,7 +184,7 @@ namespace Morsel::SPH
 
 
   bool
-  Fracture::may_grow(const unsigned int g) const
+  DamageEvolution::may_grow(const unsigned int g) const
   {
     if (particles.crushed[g])
       return true;
@@ -199,9 +200,9 @@ namespace Morsel::SPH
 
 
   void
-  Fracture::grow(const BondedArrays &arrays,
-                 const unsigned int  g,
-                 const double        time_step)
+  DamageEvolution::grow(const BondedArrays &arrays,
+                        const unsigned int  g,
+                        const double        time_step)
   {
     double drivers[group_size];
     if (average_stress)
@@ -238,7 +239,7 @@ namespace Morsel::SPH
 
 
   void
-  Fracture::release_damage(const unsigned int i, const double new_damage)
+  DamageEvolution::release_damage(const unsigned int i, const double new_damage)
   {
     const double old = particles.damage[i];
     if (new_damage <= old)
@@ -256,7 +257,7 @@ namespace Morsel::SPH
 
 
   double
-  Fracture::energy_of(const unsigned int i) const
+  DamageEvolution::energy_of(const unsigned int i) const
   {
     return particles.volume *
                Materials::stored_energy(
@@ -269,7 +270,7 @@ namespace Morsel::SPH
 
 
   void
-  Fracture::fail(const unsigned int i)
+  DamageEvolution::fail(const unsigned int i)
   {
     particles.failed[i] = 1;
     ++failed_count;
@@ -299,7 +300,7 @@ namespace Morsel::SPH
 
 
   void
-  Fracture::cut_unsupported(const unsigned int i)
+  DamageEvolution::cut_unsupported(const unsigned int i)
   {
     if (particles.failed[i])
       return;
@@ -318,7 +319,7 @@ namespace Morsel::SPH
 
 
   bool
-  Fracture::supported(const unsigned int i, const unsigned int k) const
+  DamageEvolution::supported(const unsigned int i, const unsigned int k) const
   {
     const unsigned int j     = bonds.list.index[k];
     const double       limit = (1. - 1e-9) * bonds.length_square(k);
@@ -334,7 +335,7 @@ namespace Morsel::SPH
 
 
   void
-  Fracture::cut(const unsigned int k, const unsigned int i)
+  DamageEvolution::cut(const unsigned int k, const unsigned int i)
   {
     const unsigned int j = bonds.list.index[k];
     touch(i);
@@ -345,7 +346,7 @@ namespace Morsel::SPH
 
 
   void
-  Fracture::touch(const unsigned int i)
+  DamageEvolution::touch(const unsigned int i)
   {
     if (is_touched[i])
       return;
@@ -356,7 +357,7 @@ namespace Morsel::SPH
 
 
   void
-  Fracture::settle_touched()
+  DamageEvolution::settle_touched()
   {
     for (unsigned int t = 0; t < touched.size(); ++t)
       {

@@ -1,5 +1,5 @@
-#ifndef morsel_sph_fracture_h
-#define morsel_sph_fracture_h
+#ifndef morsel_sph_damage_evolution_h
+#define morsel_sph_damage_evolution_h
 
 #include <morsel/materials/damage.h>
 #include <morsel/sph/bonds.h>
@@ -18,21 +18,21 @@ namespace Morsel::SPH
   /// its ends, so that bonds do not reach across a crack one row wide, and
   /// the pieces that live bonds hold together are exactly the fragments that
   /// friends-of-friends finds.
-  class Fracture
+  class DamageEvolution
   {
   public:
     /// Allocates and fills the damage fields of @p particles.
     /// @param friend_distance [m].
-    Fracture(Particles                         &particles,
-             Bonds                             &bonds,
-             const Kernel                      &kernel,
-             const Materials::Elasticity       &material,
-             bool                               linear_law,
-             const Materials::DamageLaw        &law,
-             const BondedConstants             &loop_constants,
-             const Materials::DamageParameters &parameters,
-             double                             friend_distance,
-             unsigned int                       seed);
+    DamageEvolution(Particles                         &particles,
+                    Bonds                             &bonds,
+                    const Kernel                      &kernel,
+                    const Materials::Elasticity       &material,
+                    bool                               linear_law,
+                    const Materials::DamageLaw        &law,
+                    const BondedConstants             &loop_constants,
+                    const Materials::DamageParameters &parameters,
+                    double                             friend_distance,
+                    unsigned int                       seed);
 
     /// Damage growth over one step from the present stress; then cuts the
     /// bonds of what has failed. Returns the particles that failed now.

@@ -1,0 +1,66 @@
+#include <morsel/measure/crack_gauge.h>
+#include <morsel/sph/body_cracks.h>
+
+namespace Morsel::Measure
+{
+  namespace
+  {
+    /// Support of the fits in spacings, as static plates have it.
+    constexpr double smoothing_ratio = 1.3;
+
+
+    SPH::Cloud
+    reference_cloud(const Scene::ParticleBody &scene,
+                    const SPH::Particles      &particles)
+    {
+      SPH::Cloud cloud;
+      cloud.lower   = scene.shape.lower_corner;
+      cloud.upper   = scene.shape.upper_corner;
+      cloud.spacing = particles.spacing;
+      cloud.points.assign(particles.reference.begin(),
+                          particles.reference.begin() + particles.n_owned);
+      cloud.cells = SPH::voronoi_cells(
+          cloud.points, cloud.lower, cloud.upper, cloud.spacing);
+      return cloud;
+    }
+  } // namespace
+
+
+  CrackGauge::CrackGauge(const Scene::ParticleBody &scene,
+                         const SPH::DeformableBody &body,
+                         const unsigned int         seed)
+      : body(body)
+      , ring_radius(scene.cracks.ring_radius)
+      , material(body.get_material().youngs_modulus,
+                 body.get_material().poissons_ratio,
+                 false)
+      , cracks(SPH::cracks_of(scene, seed))
+      , tips(Fracture::collect_tips(cracks))
+      , cloud(reference_cloud(scene, body.get_particles()))
+      , visibility(cracks,
+                   SPH::TipHandling::visibility,
+                   2. * smoothing_ratio * cloud.spacing)
+      , shape(
+            cloud,
+            Kernel(KernelKind::cubic_b_spline, smoothing_ratio * cloud.spacing),
+            visibility)
+      , gradient(SPH::conforming_gradient(shape))
+  {}
+
+
+  std::vector<Fracture::TipResult>
+  CrackGauge::evaluate() const
+  {
+    SPH::VectorField displacement(cloud.size());
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      {
+        const Motion &m = body.get_particles().motion[i];
+        displacement[i] = dealii::Tensor<1, 2>({m.u_x, m.u_y});
+      }
+    SPH::TensorField gradients(cloud.size());
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      gradients[i] = gradient.gradient(i, displacement);
+    return SPH::evaluate_tips(
+        {shape, displacement, gradients}, cracks, material, ring_radius, false);
+  }
+} // namespace Morsel::Measure
