@@ -34,9 +34,9 @@ namespace Morsel::SPH
     static constexpr double hidden = 1e300;
 
     /// @param reach support radius of the kernel [m]
-    Visibility(const std::vector<Fracture::Crack> &cracks,
-               const TipHandling                   handling,
-               const double                        reach);
+    Visibility(const std::vector<Morsel::Fracture::Crack> &cracks,
+               const TipHandling                           handling,
+               const double                                reach);
 
     /// Whether the straight line crosses no crack. A line through a tip
     /// crosses none.
@@ -54,10 +54,10 @@ namespace Morsel::SPH
              const dealii::Point<2> &node) const;
 
   private:
-    std::vector<Fracture::Crack>    cracks;
-    std::vector<Fracture::CrackTip> tips;
-    TipHandling                     handling;
-    double                          reach;
+    std::vector<Morsel::Fracture::Crack>    cracks;
+    std::vector<Morsel::Fracture::CrackTip> tips;
+    TipHandling                             handling;
+    double                                  reach;
   };
 } // namespace Morsel::SPH
 
