@@ -22,15 +22,14 @@ namespace
   /// deformed and moves, with everything allocated that an effect may need.
   struct Lattice
   {
-    explicit Lattice(const unsigned int across)
+    explicit Lattice(const unsigned int across, const bool conforming = false)
         : kernel(KernelKind::cubic_b_spline, 1.3 * spacing)
         , material(2e7, 0.3, 1000.)
     {
       const unsigned int n = across * across;
       p.n_owned = p.n_local = n;
       p.spacing             = spacing;
-      p.volume              = spacing * spacing * 0.01;
-      p.mass                = material.density * p.volume;
+      p.set_areas(std::vector<double>(n, spacing * spacing), 0.01, 1000.);
       for (unsigned int i = 0; i < n; ++i)
         {
           const double x = spacing * (i % across), y = spacing * (i / across);
@@ -52,15 +51,17 @@ namespace
       p.crushed.assign(p.n_groups(), 0);
       p.strongest.assign(p.n_groups(), 0.);
 
-      bonds.build(p, kernel);
+      if (conforming)
+        build_conforming(across);
+      else
+        bonds.build(p, kernel);
       bonds.make_breakable(kernel);
       for (unsigned int i = 0; i < n; ++i)
-        p.shape.push_back(SPH::inverse(bonds.moment(i)));
+        (conforming ? p.fit : p.shape).push_back(SPH::inverse(bonds.moment(i)));
 
       constants.mu                = material.mu;
       constants.bulk              = material.bulk;
       constants.density           = material.density;
-      constants.mass              = p.mass;
       constants.uniform_hourglass = p.hourglass[0];
       constants.viscosity_alpha_c = 0.5 * material.wave_speed;
       constants.viscosity_beta    = 1.;
@@ -68,6 +69,21 @@ namespace
       constants.tensile_strength  = 1e5;
       constants.von_mises_P       = 1e11;
       constants.von_mises_d       = 1e6;
+    }
+
+    void
+    build_conforming(const unsigned int across)
+    {
+      SPH::Cloud cloud;
+      cloud.lower   = {-0.5 * spacing, -0.5 * spacing};
+      cloud.upper   = {(across - 0.5) * spacing, (across - 0.5) * spacing};
+      cloud.spacing = spacing;
+      cloud.points  = p.reference;
+      cloud.cells   = SPH::voronoi_cells(
+          cloud.points, cloud.lower, cloud.upper, cloud.spacing);
+      p.fit_stress.assign(p.n_owned, {0., 0., 0., 0.});
+      p.deficit.assign(p.n_owned, {0., 0., 0., 0.});
+      bonds.build_conforming(p, cloud, kernel);
     }
 
     SPH::Particles        p;
@@ -88,15 +104,20 @@ namespace
 
   /// Strain and force loops of a solid with or without viscosity and damage.
   void
-  bonded(benchmark::State &state, const bool viscosity, const bool damage)
+  bonded(benchmark::State &state,
+         const bool        viscosity,
+         const bool        damage,
+         const bool        conforming)
   {
-    Lattice            lattice(state.range(0));
-    const auto        &kernels = SPH::pair_kernels();
-    const auto         strain  = kernels.strain[0][damage];
-    const auto         force   = kernels.force[viscosity][damage];
-    const auto         driver  = kernels.own_driver[2];
-    const auto         arrays  = SPH::bonded_arrays(lattice.p, lattice.bonds);
-    const unsigned int n       = lattice.p.n_groups();
+    Lattice     lattice(state.range(0), conforming);
+    const auto &kernels = SPH::pair_kernels();
+    const auto  strain =
+        (conforming ? kernels.strain_conforming : kernels.strain)[0][damage];
+    const auto         force  = (conforming ? kernels.force_conforming
+                                            : kernels.force)[viscosity][damage];
+    const auto         driver = kernels.own_driver[2];
+    const auto         arrays = SPH::bonded_arrays(lattice.p, lattice.bonds);
+    const unsigned int n      = lattice.p.n_groups();
     for (auto _ : state)
       {
         strain(arrays, lattice.constants, 0, n);
@@ -150,9 +171,13 @@ namespace
 } // namespace
 
 
-BENCHMARK_CAPTURE(bonded, elastic, false, false)->Apply(sizes);
-BENCHMARK_CAPTURE(bonded, viscosity, true, false)->Apply(sizes);
-BENCHMARK_CAPTURE(bonded, damage_and_viscosity, true, true)->Apply(sizes);
+BENCHMARK_CAPTURE(bonded, elastic, false, false, false)->Apply(sizes);
+BENCHMARK_CAPTURE(bonded, viscosity, true, false, false)->Apply(sizes);
+BENCHMARK_CAPTURE(bonded, damage_and_viscosity, true, true, false)
+    ->Apply(sizes);
+BENCHMARK_CAPTURE(bonded, conforming, false, false, true)->Apply(sizes);
+BENCHMARK_CAPTURE(bonded, conforming_damage_and_viscosity, true, true, true)
+    ->Apply(sizes);
 BENCHMARK(granular)->Apply(sizes);
 
 

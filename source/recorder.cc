@@ -20,8 +20,8 @@ namespace Morsel
     noticeable_energy(const SPH::Solid &solid)
     {
       const auto &p = solid.get_particles();
-      return 1e-7 * solid.get_material().youngs_modulus * p.volume *
-             solid.get_host().n_global();
+      return 1e-7 * solid.get_material().youngs_modulus * p.spacing *
+             p.spacing * p.depth * solid.get_host().n_global();
     }
 
 
@@ -310,19 +310,19 @@ namespace Morsel
   void
   Recorder::find_fragments()
   {
-    const auto         &p     = bite.food().get_particles();
-    const auto         &bonds = bite.food().get_bonds();
-    const double        reach = scene.measures.friend_distance * p.spacing;
-    std::vector<char>   alive(p.n_owned, 1);
-    std::vector<double> areas(p.n_owned, p.spacing * p.spacing);
-    Measure::BondList   friends;
+    const auto       &p     = bite.food().get_particles();
+    const auto       &bonds = bite.food().get_bonds();
+    const double      reach = scene.measures.friend_distance * p.spacing;
+    std::vector<char> alive(p.n_owned, 1);
+    const std::vector<double> areas(p.area.begin(), p.area.begin() + p.n_owned);
+    Measure::BondList         friends;
     friends.first.push_back(0);
     for (unsigned int i = 0; i < p.n_owned; ++i)
       {
         alive[i] = p.failed.empty() || !p.failed[i];
         for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
              ++k)
-          if (bonds.list.index[k] < p.n_owned && bonds.weight[k] > 0. &&
+          if (bonds.list.index[k] < p.n_owned && bonds.live[k] &&
               bonds.length_square(k) <= reach * reach)
             friends.neighbour.push_back(bonds.list.index[k]);
         friends.first.push_back(friends.neighbour.size());

@@ -1,4 +1,5 @@
 #include <morsel/measure/crack_gauge.h>
+#include <morsel/sph/body_cloud.h>
 #include <morsel/sph/body_cracks.h>
 
 namespace Morsel::Measure
@@ -7,22 +8,6 @@ namespace Morsel::Measure
   {
     /// Support of the fits in spacings, as static plates have it.
     constexpr double smoothing_ratio = 1.3;
-
-
-    SPH::Cloud
-    reference_cloud(const Scene::ParticleBody &scene,
-                    const SPH::Particles      &particles)
-    {
-      SPH::Cloud cloud;
-      cloud.lower   = scene.shape.lower_corner;
-      cloud.upper   = scene.shape.upper_corner;
-      cloud.spacing = particles.spacing;
-      cloud.points.assign(particles.reference.begin(),
-                          particles.reference.begin() + particles.n_owned);
-      cloud.cells = SPH::voronoi_cells(
-          cloud.points, cloud.lower, cloud.upper, cloud.spacing);
-      return cloud;
-    }
   } // namespace
 
 
@@ -36,7 +21,7 @@ namespace Morsel::Measure
                  false)
       , cracks(SPH::cracks_of(scene, seed))
       , tips(Fracture::collect_tips(cracks))
-      , cloud(reference_cloud(scene, body.get_particles()))
+      , cloud(SPH::body_cloud(scene, seed))
       , visibility(cracks,
                    SPH::TipHandling::visibility,
                    2. * smoothing_ratio * cloud.spacing)

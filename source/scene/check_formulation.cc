@@ -14,10 +14,12 @@ namespace Morsel::Scene
                          "a solid that can fail (Damage/Enabled) is computed "
                          "in the total Lagrangian form: damage and broken "
                          "bonds belong to reference pairs.");
-      if (body.solid.normalisation != "gradient matrix")
+      if (body.normalisation() != "gradient matrix" &&
+          body.normalisation() != "conforming")
         findings.mistake(section + "Normalisation",
-                         "a solid that can fail takes the gradient matrix, "
-                         "which is renewed when bonds break.");
+                         "a solid that can fail takes the gradient matrix or "
+                         "the conforming gradient, which are renewed when "
+                         "bonds break.");
       const KernelKind kind = kernel_named(body.solid.kernel);
       if (kind != KernelKind::cubic_b_spline && kind != KernelKind::wendland_c2)
         findings.mistake(section + "Kernel",
@@ -49,6 +51,11 @@ namespace Morsel::Scene
         findings.advise("Body " + body.name + "/Material/Law",
                         "the updated Lagrangian form has Hooke's law in the "
                         "Jaumann rate, whatever the law.");
+      if (body.normalisation() == "conforming")
+        findings.mistake(section + "Normalisation",
+                         "the conforming gradient belongs to cells of the "
+                         "reference configuration; take 'Formulation' = 'total "
+                         "Lagrangian' or another normalisation.");
       if (solid.artificial_stress > 0. && solid.viscosity != "on")
         findings.advise(section + "Artificial stress",
                         "without viscosity it makes noise ten times the "
@@ -67,8 +74,8 @@ namespace Morsel::Scene
     void
     check_normalisation(const ParticleBody &body, Findings &findings)
     {
-      const std::string  path = "Body " + body.name + "/Solid/Normalisation";
-      const std::string &normalisation = body.solid.normalisation;
+      const std::string path = "Body " + body.name + "/Solid/Normalisation";
+      const std::string normalisation = body.normalisation();
       if (normalisation == "none" || normalisation == "Shepard")
         findings.advise(path,
                         "strains at edges and corners are half wrong, and the "
@@ -81,10 +88,16 @@ namespace Morsel::Scene
                         "is applied to gradients of displacement or velocity; "
                         "applied to positions it would strain a body at "
                         "rest.)");
-      if (body.scatter > 0. && normalisation != "gradient matrix")
+      if (body.scatter > 0. && normalisation != "conforming" &&
+          !body.solid.is_updated())
         findings.advise(path,
-                        "on scattered particles only the gradient matrix is "
-                        "exact for linear fields.");
+                        normalisation == "gradient matrix"
+                            ? "on scattered particles a constant stress makes "
+                              "forces with the gradient matrix, and energies "
+                              "are far too low; take 'conforming'."
+                            : "on scattered particles only the gradient matrix "
+                              "and the conforming gradient are exact for "
+                              "linear fields.");
     }
   } // namespace
 

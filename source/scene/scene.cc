@@ -110,6 +110,16 @@ namespace Morsel::Scene
   }
 
 
+  std::string
+  ParticleBody::normalisation() const
+  {
+    if (solid.normalisation != "auto")
+      return solid.normalisation;
+    return scatter > 0. && !solid.is_updated() ? "conforming"
+                                               : "gradient matrix";
+  }
+
+
   std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)>
   ParticleBody::initial_velocity_function() const
   {

@@ -106,7 +106,7 @@ namespace Morsel::SPH
       {
         for (unsigned int i = 0; i < p.n_owned; ++i)
           if (concerns(p.reference[i]))
-            loaded.push_back({i, p.mass, {0., 0.}});
+            loaded.push_back({i, p.mass[i], {0., 0.}});
         if (condition.kind == "force")
           for (Loaded &l : loaded)
             l.share = 1. / loaded.size();
@@ -131,7 +131,7 @@ namespace Morsel::SPH
         const double share = sign * as_tensor(surface[i])[d];
         if (sign * (edge - p.reference[i][d]) >= reach ||
             !concerns(p.reference[i]) ||
-            std::abs(share) < 1e-12 * p.volume / p.spacing)
+            std::abs(share) < 1e-12 * p.volume(i) / p.spacing)
           continue;
         loaded.push_back({i, share, {0., 0.}});
         sum += share;
@@ -195,20 +195,21 @@ namespace Morsel::SPH
       {
         if (!uniform)
           f = value(p.position(l.particle), time);
-        Vector2 &a = p.acceleration[l.particle];
+        Vector2     &a    = p.acceleration[l.particle];
+        const double mass = p.mass[l.particle];
         if (is_damping())
           {
             // At the velocity of this moment, which it changes itself.
             const Vector2 v = p.half_velocity[l.particle];
-            l.force.x       = -p.mass * f[0] * (v.x + half_step * a.x) /
+            l.force.x       = -mass * f[0] * (v.x + half_step * a.x) /
                         (1. + f[0] * half_step);
-            l.force.y = -p.mass * f[1] * (v.y + half_step * a.y) /
+            l.force.y = -mass * f[1] * (v.y + half_step * a.y) /
                         (1. + f[1] * half_step);
           }
         else
           l.force = {l.share * f[0], l.share * f[1]};
-        a.x += l.force.x / p.mass;
-        a.y += l.force.y / p.mass;
+        a.x += l.force.x / mass;
+        a.y += l.force.y / mass;
       }
   }
 
@@ -255,9 +256,10 @@ namespace Morsel::SPH
     const bool both[2] = {condition.prescribes(0), condition.prescribes(1)};
     for (Prescribed &q : prescribed)
       {
-        const bool   pair  = q.first != q.second;
-        const double b     = pair ? 1. - q.c : 0.;
-        const double unit  = 1. / (q.c * q.c + b * b);
+        const bool   pair = q.first != q.second;
+        const double b    = pair ? 1. - q.c : 0.;
+        const double m1 = p.mass[q.first], m2 = p.mass[q.second];
+        const double unit  = 1. / (q.c * q.c / m1 + b * b / m2);
         const auto   solve = [&](double Vector2::*component) {
           const auto next = [&](const unsigned int i) {
             return p.half_velocity[i].*component +
@@ -266,11 +268,11 @@ namespace Morsel::SPH
           const double gap = q.c * next(q.first) +
                              (pair ? b * next(q.second) : 0.) -
                              q.target.*component;
-          const double a = -gap * unit / kick;
-          p.acceleration[q.first].*component += q.c * a;
+          const double reaction = -gap * unit / kick;
+          p.acceleration[q.first].*component += q.c * reaction / m1;
           if (pair)
-            p.acceleration[q.second].*component += b * a;
-          q.reaction.*component += p.mass * a;
+            p.acceleration[q.second].*component += b * reaction / m2;
+          q.reaction.*component += reaction;
           largest.gap   = std::max(largest.gap, std::abs(gap));
           largest.speed = std::max(largest.speed, std::abs(next(q.first)));
         };

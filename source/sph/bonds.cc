@@ -16,22 +16,29 @@ namespace Morsel::SPH
     keep_visible(list,
                  particles.reference,
                  {cracks, TipHandling::visibility, kernel.support()});
-    const unsigned int n = list.index.size();
-    weight.resize(n);
-    dx.resize(n);
-    dy.resize(n);
-    const double area =
-        particles.spacing * particles.spacing; // V_j per unit depth
+    set_offsets(particles);
+    weight.resize(list.index.size());
+    for (unsigned int k = 0; k < weight.size(); ++k)
+      weight[k] = particles.area[list.index[k]] *
+                  kernel.gradient_weight(std::sqrt(length_square(k)));
+    live.assign(weight.size(), true);
+    pack();
+  }
+
+
+  void
+  Bonds::set_offsets(const Particles &particles)
+  {
+    dx.resize(list.index.size());
+    dy.resize(list.index.size());
     for (unsigned int i = 0; i < list.n_rows(); ++i)
       for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
         {
           const auto X =
               particles.reference[list.index[k]] - particles.reference[i];
-          dx[k]     = X[0];
-          dy[k]     = X[1];
-          weight[k] = area * kernel.gradient_weight(X.norm());
+          dx[k] = X[0];
+          dy[k] = X[1];
         }
-    pack();
   }
 
 
@@ -54,9 +61,6 @@ namespace Morsel::SPH
                            packed.slot_begin.end());
 
     const unsigned int size = packed.slot_begin.back() * group_size;
-    packed.weight.resize(size, 0.);
-    packed.dx.resize(size, 0.);
-    packed.dy.resize(size, 0.);
     packed.index.resize(size, 0);
     packed.place.resize(list.index.size());
     for (unsigned int i = 0; i < n_groups * group_size; ++i)
@@ -72,13 +76,13 @@ namespace Morsel::SPH
             packed.index[p]      = row;
             if (k >= begin + n)
               continue;
-            packed.weight[p] = weight[k];
-            packed.dx[p]     = dx[k];
-            packed.dy[p]     = dy[k];
-            packed.index[p]  = list.index[k];
-            packed.place[k]  = p;
+            packed.index[p] = list.index[k];
+            packed.place[k] = p;
           }
       }
+    pack([&](const unsigned int k) { return weight[k]; }, packed.weight);
+    pack([&](const unsigned int k) { return dx[k]; }, packed.dx);
+    pack([&](const unsigned int k) { return dy[k]; }, packed.dy);
   }
 
 
@@ -86,14 +90,15 @@ namespace Morsel::SPH
   Bonds::make_breakable(const Kernel &kernel)
   {
     mirror.resize(list.index.size());
-    packed.average.resize(packed.weight.size(), 0.);
     for (unsigned int i = 0; i < list.n_rows(); ++i)
       for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
-        {
-          mirror[k] = find(list.index[k], i);
-          packed.average[packed.place[k]] =
-              kernel.value(std::sqrt(length_square(k)));
-        }
+        mirror[k] = find(list.index[k], i);
+    pack(
+        [&](const unsigned int k) {
+          return weight[k] > 0. ? kernel.value(std::sqrt(length_square(k)))
+                                : 0.;
+        },
+        packed.average);
   }
 
 
@@ -102,9 +107,20 @@ namespace Morsel::SPH
   {
     for (const unsigned int entry : {k, mirror[k]})
       {
-        weight[entry]                       = 0.;
-        packed.weight[packed.place[entry]]  = 0.;
-        packed.average[packed.place[entry]] = 0.;
+        const unsigned int p = packed.place[entry];
+        live[entry]          = false;
+        weight[entry]        = 0.;
+        packed.weight[p]     = 0.;
+        packed.average[p]    = 0.;
+        if (!is_conforming())
+          continue;
+        own[entry] = back[entry] = {0., 0.};
+        for (auto *values : {&packed.own_x,
+                             &packed.own_y,
+                             &packed.back_x,
+                             &packed.back_y,
+                             &packed.damping})
+          (*values)[p] = 0.;
       }
   }
 
@@ -133,14 +149,33 @@ namespace Morsel::SPH
   }
 
 
+  Tensor2
+  Bonds::gradient_moment(const unsigned int i) const
+  {
+    Tensor2 m{0., 0., 0., 0.};
+    for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
+      {
+        m.xx += dx[k] * own[k].x;
+        m.xy += dx[k] * own[k].y;
+        m.yx += dy[k] * own[k].x;
+        m.yy += dy[k] * own[k].y;
+      }
+    return m;
+  }
+
+
   double
-  Bonds::surface_measure(const unsigned int i) const
+  Bonds::surface_measure(const unsigned int i,
+                         const Particles   &particles,
+                         const Kernel      &kernel) const
   {
     double x = 0., y = 0.;
     for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
       {
-        x += weight[k] * dx[k];
-        y += weight[k] * dy[k];
+        const double w = particles.area[list.index[k]] *
+                         kernel.gradient_weight(std::sqrt(length_square(k)));
+        x += w * dx[k];
+        y += w * dy[k];
       }
     return std::hypot(x, y);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace Morsel::SPH
 {
@@ -11,8 +12,8 @@ namespace Morsel::SPH
     /// Damage this close to one is failure: nothing measurable is left.
     constexpr double failure_damage = 0.999;
 
-    /// Below this smallest eigenvalue of the moment matrix (one inside a
-    /// lattice) the remaining bonds do not span the plane any more.
+    /// Below this smallest eigenvalue of the moment matrix, as a share of that
+    /// inside of a body, the remaining bonds do not span the plane any more.
     constexpr double smallest_moment = 0.05;
 
     /// A particle pressed to this share of its area is crushed.
@@ -68,6 +69,8 @@ namespace Morsel::SPH
       , is_touched(particles.n_local, 0)
       , exposed(particles.n_local, 0)
       , contact_diameter(particles.n_local, particles.spacing)
+      , total_area(
+            std::accumulate(particles.area.begin(), particles.area.end(), 0.))
   {
     const unsigned int n = particles.n_local;
     particles.damage.assign(n, 0.);
@@ -247,7 +250,7 @@ namespace Morsel::SPH
     const double D        = new_damage >= failure_damage ? 1. : new_damage;
     const auto   response = response_at(particles, material, linear_law, i);
     particles.damage_heat[i] +=
-        particles.volume *
+        particles.volume(i) *
             (Materials::stored_energy(law.softening, material, response, old) -
              Materials::stored_energy(law.softening, material, response, D)) +
         hourglass_stiffness * (D - old) * fit_residual(particles, bonds, i);
@@ -259,7 +262,7 @@ namespace Morsel::SPH
   double
   DamageEvolution::energy_of(const unsigned int i) const
   {
-    return particles.volume *
+    return particles.volume(i) *
                Materials::stored_energy(
                    law.softening,
                    material,
@@ -273,11 +276,11 @@ namespace Morsel::SPH
   DamageEvolution::fail(const unsigned int i)
   {
     particles.failed[i] = 1;
-    ++failed_count;
+    failed_area += particles.area[i];
     for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
       {
         const unsigned int j = bonds.list.index[k];
-        if (bonds.weight[k] > 0.)
+        if (bonds.live[k])
           {
             const double r =
                 (particles.position(j) - particles.position(i)).norm();
@@ -306,8 +309,8 @@ namespace Morsel::SPH
       return;
     bool any = false;
     for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
-      if (bonds.weight[k] > 0. &&
-          bonds.length_square(k) > friend_distance_square && !supported(i, k))
+      if (bonds.live[k] && bonds.length_square(k) > friend_distance_square &&
+          !supported(i, k))
         {
           cut(k, i);
           suspects.push_back(bonds.list.index[k]);
@@ -324,10 +327,10 @@ namespace Morsel::SPH
     const unsigned int j     = bonds.list.index[k];
     const double       limit = (1. - 1e-9) * bonds.length_square(k);
     for (unsigned int l = bonds.list.start[i]; l < bonds.list.start[i + 1]; ++l)
-      if (bonds.weight[l] > 0. && bonds.length_square(l) < limit)
+      if (bonds.live[l] && bonds.length_square(l) < limit)
         {
           const long m = bonds.find(bonds.list.index[l], j);
-          if (m >= 0 && bonds.weight[m] > 0. && bonds.length_square(m) < limit)
+          if (m >= 0 && bonds.live[m] && bonds.length_square(m) < limit)
             return true;
         }
     return false;
@@ -368,12 +371,14 @@ namespace Morsel::SPH
             particles.driver[i] = 0.;
             // What pressure it carries goes on in the granular response.
             particles.pair_stress[i] = {0., 0., 0., 0.};
-            particles.hourglass[i]   = 0.;
+            if (bonds.is_conforming())
+              particles.fit_stress[i] = {0., 0., 0., 0.};
+            particles.hourglass[i] = 0.;
             heat_of_bonds += energy_before[t] - energy_of(i);
             continue;
           }
         const Symmetric2 m = bonds.moment(i);
-        if (smaller_eigenvalue(m) < smallest_moment)
+        if (smaller_eigenvalue(m) < smallest_moment * bonds.full_moment)
           {
             // Its energy is released when it fails, right after this.
             heat_of_bonds += energy_before[t] - energy_of(i);
@@ -381,7 +386,14 @@ namespace Morsel::SPH
             failed_now.push_back(i);
             continue;
           }
-        particles.shape[i]    = inverse(m);
+        if (bonds.is_conforming())
+          {
+            const Tensor2 G      = bonds.gradient_moment(i);
+            particles.fit[i]     = inverse(m);
+            particles.deficit[i] = {1. - G.xx, -G.xy, -G.yx, 1. - G.yy};
+          }
+        else
+          particles.shape[i] = inverse(m);
         particles.gradient[i] = displacement_gradient(particles, bonds, i);
         heat_of_bonds += energy_before[t] - energy_of(i);
       }

@@ -19,13 +19,11 @@ namespace Morsel::SPH
                        const Materials::Elasticity &material,
                        const GranularConstants     &constants)
     {
-      const double area = particles.spacing * particles.spacing;
       return {kernel.h,
               kernel.normalisation,
               kernel.support() * kernel.support(),
-              particles.mass,
-              particles.volume / area,
-              area,
+              particles.depth,
+              particles.spacing * particles.spacing,
               constants.viscosity_alpha * material.wave_speed,
               constants.viscosity_beta,
               constants.contact_stiffness};
@@ -63,7 +61,8 @@ namespace Morsel::SPH
   {
     for (unsigned int i = 0; i < particles.n_owned; ++i)
       on_surface[i] =
-          bonds.surface_measure(i) * particles.spacing > surface_limit;
+          bonds.surface_measure(i, particles, kernel) * particles.spacing >
+          surface_limit;
   }
 
 
@@ -104,6 +103,7 @@ namespace Morsel::SPH
                          motion.data(),
                          nullptr,
                          nullptr,
+                         nullptr,
                          area.data()},
                         loop_constants,
                         rates);
@@ -120,7 +120,6 @@ namespace Morsel::SPH
   Granular::gather_rates(const double time_step)
   {
     // Positions at the middle of the step; a live neighbour counts twice.
-    const double full = particles.spacing * particles.spacing;
     parallel_for(members.size(), [&](unsigned int begin, unsigned int end) {
       for (unsigned int m = begin; m < end; ++m)
         {
@@ -131,7 +130,7 @@ namespace Morsel::SPH
                                   x[1] - 0.5 * time_step * v.y,
                                   v.x,
                                   v.y};
-          area[m]              = member_failed[m] ? full / ratio[i] : 2. * full;
+          area[m] = particles.area[i] * (member_failed[m] ? 1. / ratio[i] : 2.);
         }
     });
   }
@@ -143,7 +142,7 @@ namespace Morsel::SPH
                           const double              dt)
   {
     const double before = energy[i];
-    const double volume = particles.volume / ratio[i];
+    const double volume = particles.volume(i) / ratio[i];
     const double tr     = (L.xx + L.yy) * dt;
     const double d_xx   = L.xx * dt - tr / 3.;
     const double d_yy   = L.yy * dt - tr / 3.;
@@ -200,15 +199,15 @@ namespace Morsel::SPH
   void
   Granular::gather_state()
   {
-    const double full = particles.spacing * particles.spacing;
     parallel_for(members.size(), [&](unsigned int begin, unsigned int end) {
       for (unsigned int m = begin; m < end; ++m)
         {
-          const unsigned int i = members[m];
-          const auto         x = particles.position(i);
-          const Motion      &v = particles.motion[i];
-          motion[m]            = {x[0], x[1], v.v_x, v.v_y};
-          member_stress[m]     = {0., 0., 0., -full};
+          const unsigned int i    = members[m];
+          const double       full = particles.area[i];
+          const auto         x    = particles.position(i);
+          const Motion      &v    = particles.motion[i];
+          motion[m]               = {x[0], x[1], v.v_x, v.v_y};
+          member_stress[m]        = {0., 0., 0., -full};
           if (member_failed[m])
             {
               const auto sigma = stress(i);
@@ -231,7 +230,8 @@ namespace Morsel::SPH
                 block.first,
                 motion.data(),
                 member_stress.data(),
-                diameter.data(),
+                size.data(),
+                mass.data(),
                 nullptr},
                loop_constants,
                sums);
@@ -241,8 +241,8 @@ namespace Morsel::SPH
         GrainForce        &f      = sums[m - block.first];
         double             rubbed = 0.;
         push_live(block, m, dt, f, rubbed);
-        particles.acceleration[i].x += f.x / particles.mass;
-        particles.acceleration[i].y += f.y / particles.mass;
+        particles.acceleration[i].x += f.x / particles.mass[i];
+        particles.acceleration[i].y += f.y / particles.mass[i];
         pair_friction_heat[i] += 0.5 * rubbed * dt;
         pair_viscous_heat[i] += 0.5 * f.damped * dt;
         penalty_energy[i] = 0.5 * f.pressed;
@@ -267,8 +267,7 @@ namespace Morsel::SPH
         const GrainMotion  b   = motion[n];
         const double       r_x = b.x - a.x, r_y = b.y - a.y;
         const double       r2 = r_x * r_x + r_y * r_y;
-        // Contact diameters do not exceed the spacing.
-        if (r2 >= c.particle_area)
+        if (r2 >= c.contact_square)
           continue;
         const double r   = std::sqrt(r2);
         const double v_x = b.v_x - a.v_x, v_y = b.v_y - a.v_y;
@@ -276,14 +275,14 @@ namespace Morsel::SPH
         if (vr < 0.)
           {
             const double mu = c.h * vr / (r2 + 0.01 * c.h * c.h);
-            const double q  = c.mass * c.particle_area *
+            const double q  = mass[m] * size[n].area *
                              kernel.gradient_weight(r) * mu *
                              (c.viscosity_beta * mu - c.viscosity_alpha_c);
             f.x -= q * r_x;
             f.y -= q * r_y;
             f.damped -= q * vr;
           }
-        const double gap = r - std::min(diameter[m], diameter[n]);
+        const double gap = r - std::min(size[m].diameter, size[n].diameter);
         if (gap >= 0.)
           continue;
         const double pressure = c.contact_stiffness * gap / r; // < 0
@@ -297,7 +296,7 @@ namespace Morsel::SPH
         const double slip = std::sqrt(t_x * t_x + t_y * t_y) + 1e-300;
         const double g =
             std::min(-constants.friction * c.contact_stiffness * gap,
-                     0.1 * c.mass * slip / dt) /
+                     0.1 * std::min(mass[m], mass[n]) * slip / dt) /
             slip;
         f.x += g * t_x;
         f.y += g * t_y;
@@ -323,7 +322,7 @@ namespace Morsel::SPH
     const double     s_zz = -s.xx - s.yy;
     const double     ss =
         s.xx * s.xx + s.yy * s.yy + s_zz * s_zz + 2. * s.xy * s.xy;
-    return particles.volume *
+    return particles.volume(i) *
            ((ratio[i] > 1.
                  ? Materials::volumetric_energy(material.bulk, 1. / ratio[i])
                  : 0.) +

@@ -68,13 +68,20 @@ namespace Morsel::SPH
     motion.resize(n + 1);
     member_stress.resize(n + 1);
     area.resize(n + 1);
-    diameter.resize(n + 1);
+    size.resize(n + 1);
+    mass.resize(n + 1);
     motion[n]        = {1e30, 1e30, 0., 0.};
     member_stress[n] = {0., 0., 0., 0.};
-    area[n] = diameter[n] = 0.;
+    size[n]          = {0., 0.};
+    area[n] = mass[n] = 0.;
     for (unsigned int m = 0; m < n; ++m)
-      diameter[m] = (member_failed[m] ? grain_diameter : 1.) *
-                    contact_diameter[members[m]];
+      {
+        const unsigned int i = members[m];
+        size[m]              = {(member_failed[m] ? grain_diameter : 1.) *
+                                    contact_diameter[i],
+                                particles.area[i]};
+        mass[m]              = particles.mass[i];
+      }
     stale = false;
   }
 
@@ -106,7 +113,7 @@ namespace Morsel::SPH
                   else if (r2 < live_reach * live_reach)
                     {
                       const long k = bonds.find(members[m], members[n]);
-                      if (k < 0 || bonds.weight[k] == 0.)
+                      if (k < 0 || !bonds.live[k])
                         block.live_pair.push_back(n);
                     }
                 }

@@ -21,33 +21,95 @@ namespace Morsel::SPH
             p.pair_stress.data(),  p.effective.data(),
             p.acceleration.data(), p.viscous_heat.data(),
             p.driver.data(),       p.crushed.data(),
-            p.strongest.data(),    p.fit.data()};
+            p.strongest.data(),    p.fit.data(),
+            p.mass.data(),         b.own_x.data(),
+            b.own_y.data(),        b.back_x.data(),
+            b.back_y.data(),       b.damping.data(),
+            p.deficit.data(),      p.fit_stress.data()};
   }
 
 
   namespace
   {
-    /// sum_j a_ij u_ij (x) X_ij [1].
-    Tensor2
-    displacement_moment(const Particles   &p,
-                        const Bonds       &bonds,
-                        const unsigned int i)
+    Vector2
+    displacement(const Motion &m)
     {
-      const double u_x = p.motion[i].u_x, u_y = p.motion[i].u_y;
-      Tensor2      m{0., 0., 0., 0.};
+      return {m.u_x, m.u_y};
+    }
+
+
+    Vector2
+    velocity(const Motion &m)
+    {
+      return {m.v_x, m.v_y};
+    }
+
+
+    /// sum_j v_ij (x) g_ij of a field v.
+    template <typename Field, typename Weight>
+    Tensor2
+    moment(const Particles   &p,
+           const Bonds       &bonds,
+           const unsigned int i,
+           const Field       &field,
+           const Weight      &weight)
+    {
+      const Vector2 own = field(p.motion[i]);
+      Tensor2       m{0., 0., 0., 0.};
       for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
            ++k)
         {
-          const Motion &j    = p.motion[bonds.list.index[k]];
-          const double  ax   = bonds.weight[k] * bonds.dx[k];
-          const double  ay   = bonds.weight[k] * bonds.dy[k];
-          const double  du_x = j.u_x - u_x, du_y = j.u_y - u_y;
-          m.xx += du_x * ax;
-          m.xy += du_x * ay;
-          m.yx += du_y * ax;
-          m.yy += du_y * ay;
+          const Vector2 v  = field(p.motion[bonds.list.index[k]]);
+          const Vector2 g  = weight(k);
+          const double  dx = v.x - own.x, dy = v.y - own.y;
+          m.xx += dx * g.x;
+          m.xy += dx * g.y;
+          m.yx += dy * g.x;
+          m.yy += dy * g.y;
         }
       return m;
+    }
+
+
+    /// sum_j a_ij v_ij (x) X_ij.
+    template <typename Field>
+    Tensor2
+    weighted_moment(const Particles   &p,
+                    const Bonds       &bonds,
+                    const unsigned int i,
+                    const Field       &field)
+    {
+      return moment(p, bonds, i, field, [&](const unsigned int k) {
+        return Vector2{bonds.weight[k] * bonds.dx[k],
+                       bonds.weight[k] * bonds.dy[k]};
+      });
+    }
+
+
+    /// The gradient of a field as the body's strain sees it.
+    template <typename Field>
+    Tensor2
+    gradient(const Particles   &p,
+             const Bonds       &bonds,
+             const unsigned int i,
+             const Field       &field)
+    {
+      if (!bonds.is_conforming())
+        return product(weighted_moment(p, bonds, i, field), p.shape[i]);
+      Tensor2 H = moment(p, bonds, i, field, [&](const unsigned int k) {
+        return bonds.own[k];
+      });
+      if (!p.deficit.empty())
+        {
+          const Tensor2 fit =
+              product(weighted_moment(p, bonds, i, field), p.fit[i]);
+          const Tensor2 &R = p.deficit[i];
+          H.xx += fit.xx * R.xx + fit.xy * R.yx;
+          H.xy += fit.xx * R.xy + fit.xy * R.yy;
+          H.yx += fit.yx * R.xx + fit.yy * R.yx;
+          H.yy += fit.yx * R.xy + fit.yy * R.yy;
+        }
+      return H;
     }
   } // namespace
 
@@ -57,13 +119,19 @@ namespace Morsel::SPH
                         const Bonds       &bonds,
                         const unsigned int i)
   {
-    return product(displacement_moment(p, bonds, i), p.shape[i]);
+    return gradient(p, bonds, i, displacement);
+  }
+
+
+  Tensor2
+  rate_of_gradient(const Particles &p, const Bonds &bonds, const unsigned int i)
+  {
+    return gradient(p, bonds, i, velocity);
   }
 
 
   namespace
   {
-
     Tensor2
     deformation_gradient(const Tensor2 &H)
     {
@@ -87,10 +155,11 @@ namespace Morsel::SPH
   double
   fit_residual(const Particles &p, const Bonds &bonds, const unsigned int i)
   {
-    const Tensor2 H   = p.fit.empty()
-                            ? p.gradient[i]
-                            : product(displacement_moment(p, bonds, i), p.fit[i]);
-    double        sum = 0.;
+    const Tensor2 H =
+        p.fit.empty()
+            ? p.gradient[i]
+            : product(weighted_moment(p, bonds, i, displacement), p.fit[i]);
+    double sum = 0.;
     for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
       {
         const Motion &j = p.motion[bonds.list.index[k]];
@@ -99,6 +168,6 @@ namespace Morsel::SPH
         const double  e_y = j.u_y - p.motion[i].u_y - H.yx * X - H.yy * Y;
         sum += bonds.weight[k] * (e_x * e_x + e_y * e_y);
       }
-    return 0.25 * p.volume * sum;
+    return 0.25 * p.volume(i) * sum;
   }
 } // namespace Morsel::SPH

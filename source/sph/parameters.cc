@@ -22,8 +22,11 @@ namespace Morsel::SPH
         "Normalisation",
         normalisation,
         "Correction of gradients: 'none' (classical), 'Shepard' (T3-35), 'per "
-        "axis' (Johnson and Beissel 1996) or 'gradient matrix' (exact for "
-        "every linear field).",
+        "axis' (Johnson and Beissel 1996), 'gradient matrix' (exact for every "
+        "linear field), 'conforming' (averaged over Voronoi cells: on every "
+        "cloud constant stresses are in balance, too), or 'auto' (gradient "
+        "matrix on lattices, conforming on scattered particles of the total "
+        "Lagrangian form).",
         Patterns::Selection(normalisation_names));
     prm.add_parameter("Kernel",
                       kernel,

@@ -1,6 +1,8 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/parallel.h>
+#include <morsel/sph/body_cloud.h>
 #include <morsel/sph/body_cracks.h>
+#include <morsel/sph/highest_frequency.h>
 #include <morsel/sph/solid.h>
 #include <morsel/sph/stable_step.h>
 
@@ -10,6 +12,23 @@
 
 namespace Morsel::SPH
 {
+  namespace
+  {
+    void
+    require_one_rank(const Scene::ParticleBody &body,
+                     const MPI_Comm             communicator,
+                     const std::string         &what,
+                     const std::string         &else_take)
+    {
+      if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+        throw InputError("Body '" + body.name + "' " + what +
+                         ", which runs on one rank only: start the program "
+                         "without mpirun, or with 'mpirun -np 1'" +
+                         else_take + ".");
+    }
+  } // namespace
+
+
   Solid::Solid(const Scene::ParticleBody &body,
                const Scene::Scene        &scene,
                const MPI_Comm             communicator)
@@ -25,7 +44,7 @@ namespace Morsel::SPH
                       ? Materials::Softening::deviator
                       : Materials::Softening::tensile_principal)
       , hourglass_stiffness(body.solid.hourglass * material.youngs_modulus)
-      , normalisation(normalisation_named(body.solid.normalisation))
+      , normalisation(normalisation_named(body.normalisation()))
       , host(communicator,
              body.shape.lower_corner,
              body.shape.upper_corner,
@@ -34,14 +53,26 @@ namespace Morsel::SPH
       , viscosity(body.solid.viscosity == "on" ||
                   (body.solid.viscosity == "auto" && body.damage.enabled))
   {
-    if (body.damage.enabled &&
-        dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-      throw InputError("Body '" + body.name +
-                       "' can fail (Damage/Enabled = true), which runs on one "
-                       "rank only: start the program without mpirun, or with "
-                       "'mpirun -np 1'.");
+    if (body.damage.enabled)
+      require_one_rank(
+          body, communicator, "can fail (Damage/Enabled = true)", "");
+    if (normalisation == Normalisation::conforming)
+      require_one_rank(body,
+                       communicator,
+                       "takes the conforming gradient",
+                       ", or take 'Normalisation' = 'gradient matrix'");
     fill(body, scene.seed);
     choose_loops(body);
+    highest_frequency =
+        normalisation == Normalisation::conforming
+            ? measured_highest_frequency()
+            // Where hourglass control is stiffer than stress, its own highest
+            // frequency rules: 3.4 alpha E/(rho h^2) is the largest square of
+            // it (measured over kernels and smoothing ratios).
+            : std::max(
+                  square_of_highest_frequency(material.wave_speed, kernel.h),
+                  3.4 * hourglass_stiffness /
+                      (material.density * kernel.h * kernel.h));
     if (body.damage.enabled)
       make_breakable(body, scene);
   }
@@ -50,26 +81,43 @@ namespace Morsel::SPH
   void
   Solid::fill(const Scene::ParticleBody &body, const unsigned int seed)
   {
-    if (body.scatter > 0.)
+    const double dp    = body.spacing;
+    const bool   cells = normalisation == Normalisation::conforming;
+    Cloud        cloud;
+    if (body.scatter > 0. || cells)
       {
-        const auto                          points = body.positions(seed);
-        std::vector<ParticleHost<2>::Index> ids(points.size());
+        cloud = body_cloud(body, seed);
+        std::vector<ParticleHost<2>::Index> ids(cloud.size());
         std::iota(ids.begin(), ids.end(), ParticleHost<2>::Index(0));
-        host.insert(points, ids);
+        host.insert(cloud.points, ids);
       }
     else
       host.insert_lattice(body.shape.lower_corner,
                           body.shape.upper_corner,
                           body.particles_across);
-    const double dp     = body.spacing;
     particles.spacing   = dp;
-    particles.volume    = dp * dp * depth;
-    particles.mass      = material.density * particles.volume;
     particles.n_owned   = host.n_owned();
     particles.n_local   = host.n_local();
     particles.reference = host.reference_positions();
     particles.id.assign(host.ids().begin(), host.ids().end());
+    std::vector<double> areas(particles.n_local, dp * dp);
+    if (body.scatter > 0.)
+      for (unsigned int i = 0; i < areas.size(); ++i)
+        areas[i] = cloud.cells[particles.id[i]].area;
+    particles.set_areas(areas, depth, material.density);
+    allocate(body);
+    const auto cracks = cracks_of(body, seed);
+    if (cells)
+      bonds.build_conforming(particles, cloud, kernel, cracks);
+    else
+      bonds.build(particles, kernel, cracks);
+    normalise(body);
+  }
 
+
+  void
+  Solid::allocate(const Scene::ParticleBody &body)
+  {
     const unsigned int n = particles.n_local;
     particles.set_velocity(body.initial_velocity_function());
     particles.acceleration.assign(n, {0., 0.});
@@ -78,40 +126,47 @@ namespace Morsel::SPH
     particles.hourglass.assign(n, hourglass_stiffness);
     if (viscosity)
       particles.viscous_heat.assign(n, 0.);
-
-    bonds.build(particles, kernel, cracks_of(body, seed));
-    normalise(body);
+    if (normalisation == Normalisation::conforming)
+      {
+        particles.fit_stress.assign(n, {0., 0., 0., 0.});
+        if (body.damage.enabled)
+          particles.deficit.assign(n, {0., 0., 0., 0.});
+      }
   }
 
 
   void
   Solid::normalise(const Scene::ParticleBody &body)
   {
-    const bool own_fit = normalisation != Normalisation::gradient_matrix &&
-                         hourglass_stiffness > 0.;
-    const double area = particles.spacing * particles.spacing;
-    particles.shape.resize(particles.n_local);
+    const bool conforming = normalisation == Normalisation::conforming;
+    const bool own_fit =
+        conforming || (normalisation != Normalisation::gradient_matrix &&
+                       hourglass_stiffness > 0.);
+    if (!conforming)
+      particles.shape.resize(particles.n_local);
     if (own_fit)
       particles.fit.resize(particles.n_local);
     for (unsigned int i = 0; i < particles.n_owned; ++i)
       {
         const Symmetric2 m = bonds.moment(i);
-        if (smaller_eigenvalue(m) < 1e-3)
+        if (smaller_eigenvalue(m) < 1e-3 * bonds.full_moment)
           throw InputError(
               "Body '" + body.name +
               "': its particles do not span the plane (a single row or column "
               "has no strain across it); use at least two rows and columns.");
-        particles.shape[i] = inverse(m);
         if (own_fit)
-          particles.fit[i] = particles.shape[i];
+          particles.fit[i] = inverse(m);
+        if (conforming)
+          continue;
+        particles.shape[i] = inverse(m);
         if (normalisation == Normalisation::gradient_matrix)
           continue;
-        double sum = kernel.value(0.);
+        double sum = particles.area[i] * kernel.value(0.);
         for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
              ++k)
-          sum += kernel.value(std::sqrt(bonds.length_square(k)));
-        particles.shape[i] =
-            gradient_correction(normalisation, {m, area * sum});
+          sum += particles.area[bonds.list.index[k]] *
+                 kernel.value(std::sqrt(bonds.length_square(k)));
+        particles.shape[i] = gradient_correction(normalisation, {m, sum});
       }
   }
 
@@ -123,7 +178,6 @@ namespace Morsel::SPH
     constants.mu      = material.mu;
     constants.bulk    = material.bulk;
     constants.density = material.density;
-    constants.mass    = particles.mass;
     constants.uniform_hourglass =
         body.solid.hourglass * material.youngs_modulus;
     constants.viscosity_alpha_c =
@@ -132,14 +186,52 @@ namespace Morsel::SPH
     constants.smoothing_length = kernel.h;
 
     // Nothing is decided inside the loops.
-    const PairKernels &kernels  = pair_kernels();
-    const unsigned int softened = !body.damage.enabled ? 0
-                                  : softening == Materials::Softening::deviator
-                                      ? 1
-                                      : 2;
-    strain_loop = particles.fit.empty() ? kernels.strain[linear_law][softened]
-                                        : kernels.strain_own_fit[linear_law];
-    force_loop  = kernels.force[viscosity][body.damage.enabled];
+    const PairKernels &kernels    = pair_kernels();
+    const unsigned int softened   = !body.damage.enabled ? 0
+                                    : softening == Materials::Softening::deviator
+                                        ? 1
+                                        : 2;
+    const bool         conforming = normalisation == Normalisation::conforming;
+    strain_loop = conforming ? kernels.strain_conforming[linear_law][softened]
+                  : particles.fit.empty() ? kernels.strain[linear_law][softened]
+                                          : kernels.strain_own_fit[linear_law];
+    force_loop  = (conforming ? kernels.force_conforming
+                              : kernels.force)[viscosity][body.damage.enabled];
+  }
+
+
+  double
+  Solid::measured_highest_frequency()
+  {
+    // A body that can fail takes kernels that softening needs.
+    const PairKernels &kernels = pair_kernels();
+    const BondedArrays arrays  = bonded_arrays(particles, bonds);
+    // Small enough for the tangent, large enough for its round-off.
+    const double size          = 1e-6 * particles.spacing;
+    const auto   accelerations = [&](const std::vector<Vector2> &u,
+                                   std::vector<Vector2>       &a) {
+      double largest = 0.;
+      for (const Vector2 &v : u)
+        largest = std::max({largest, std::abs(v.x), std::abs(v.y)});
+      const double scale = size / largest;
+      for (unsigned int i = 0; i < particles.n_owned; ++i)
+        {
+          particles.motion[i].u_x = scale * u[i].x;
+          particles.motion[i].u_y = scale * u[i].y;
+        }
+      const unsigned int n = particles.n_groups();
+      kernels.strain_conforming[linear_law][0](arrays, constants, 0, n);
+      kernels.force_conforming[false][false](arrays, constants, 0., 0, n);
+      for (unsigned int i = 0; i < particles.n_owned; ++i)
+        a[i] = {particles.acceleration[i].x / scale,
+                particles.acceleration[i].y / scale};
+    };
+    const double result =
+        square_of_highest_frequency(accelerations, particles.mass);
+    for (Motion &m : particles.motion)
+      m.u_x = m.u_y = 0.;
+    particles.acceleration.assign(particles.n_local, {0., 0.});
+    return result;
   }
 
 
@@ -150,7 +242,7 @@ namespace Morsel::SPH
     const Materials::DamageLaw law(body.damage,
                                    material,
                                    body.material.compressive_strength,
-                                   particles.volume);
+                                   body.spacing * body.spacing * depth);
     fracture = std::make_unique<DamageEvolution>(
         particles,
         bonds,
@@ -180,15 +272,9 @@ namespace Morsel::SPH
   double
   Solid::stable_time_step(const double contact_stiffness) const
   {
-    // Where hourglass control is stiffer than stress, its own highest
-    // frequency rules: 3.4 alpha E/(rho h^2) is the largest square of it
-    // (measured over kernels and smoothing ratios). A spring of stiffness k on
-    // one particle adds k/m to the square.
+    // A spring of stiffness k on one particle adds k/m to the square.
     const double w2 =
-        std::max(square_of_highest_frequency(material.wave_speed, kernel.h),
-                 3.4 * hourglass_stiffness /
-                     (material.density * kernel.h * kernel.h)) +
-        contact_stiffness / particles.mass;
+        highest_frequency + contact_stiffness / particles.least_mass();
     const double g = viscosity
                          ? viscous_damping_rate(constants.viscosity_alpha_c,
                                                 particles.spacing)
@@ -231,8 +317,10 @@ namespace Morsel::SPH
   {
     for (const auto &f : forces)
       {
-        particles.acceleration[f.particle].x += f.force[0] / particles.mass;
-        particles.acceleration[f.particle].y += f.force[1] / particles.mass;
+        Vector2     &a = particles.acceleration[f.particle];
+        const double m = particles.mass[f.particle];
+        a.x += f.force[0] / m;
+        a.y += f.force[1] / m;
       }
   }
 
@@ -248,23 +336,7 @@ namespace Morsel::SPH
   void
   Solid::advance(const double dt)
   {
-    // The first kick carries the velocities from time 0 to half a step.
-    const double kick = started ? dt : 0.5 * dt;
-    started           = true;
-    parallel_for(particles.n_owned, [&](unsigned int begin, unsigned int end) {
-      for (unsigned int i = begin; i < end; ++i)
-        {
-          const Vector2 a = particles.acceleration[i];
-          Vector2      &v = particles.half_velocity[i];
-          Motion       &m = particles.motion[i];
-          v.x += kick * a.x;
-          v.y += kick * a.y;
-          m.u_x += dt * v.x;
-          m.u_y += dt * v.y;
-          m.v_x = v.x + 0.5 * dt * a.x;
-          m.v_y = v.y + 0.5 * dt * a.y;
-        }
-    });
+    leapfrog.advance(particles, dt);
     host.exchange(particles.motion);
   }
 
@@ -292,7 +364,7 @@ namespace Morsel::SPH
   {
     return {particles.spacing,
             depth,
-            particles.mass,
+            particles.least_mass(),
             material.youngs_modulus,
             material.p_wave_modulus,
             kernel.h};

@@ -21,15 +21,9 @@ namespace Morsel::SPH
     SolidEnergies e;
     for (unsigned int i = 0; i < particles.n_owned; ++i)
       {
-        const double half = started ? 0.5 * time_step : 0.;
-        const double v_x =
-            particles.half_velocity[i].x + half * particles.acceleration[i].x;
-        const double v_y =
-            particles.half_velocity[i].y + half * particles.acceleration[i].y;
-        e.kinetic += 0.5 * particles.mass * (v_x * v_x + v_y * v_y);
         if (fracture && particles.failed[i])
           continue;
-        e.strain += particles.volume *
+        e.strain += particles.volume(i) *
                     Materials::stored_energy(
                         softening,
                         material,
@@ -38,6 +32,7 @@ namespace Morsel::SPH
         e.hourglass +=
             particles.hourglass[i] * fit_residual(particles, bonds, i);
       }
+    e.kinetic      = kinetic_energy(leapfrog, particles, time_step);
     e.viscous_heat = sum(particles.viscous_heat);
     if (fracture)
       {
@@ -56,12 +51,7 @@ namespace Morsel::SPH
   Vector2
   Solid::momentum() const
   {
-    Vector2 p{0., 0.};
-    for (unsigned int i = 0; i < particles.n_owned; ++i)
-      {
-        p.x += particles.mass * particles.half_velocity[i].x;
-        p.y += particles.mass * particles.half_velocity[i].y;
-      }
+    Vector2 p = half_step_momentum(particles);
     host.sum(dealii::ArrayView<double>(&p.x, 2));
     return p;
   }
@@ -81,20 +71,7 @@ namespace Morsel::SPH
   Materials::Tensor2
   Solid::velocity_gradient(const unsigned int i) const
   {
-    Materials::Tensor2 rate{0., 0., 0., 0.}; // of the deformation gradient
-    for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
-      {
-        const Motion &j   = particles.motion[bonds.list.index[k]];
-        const double  ax  = bonds.weight[k] * bonds.dx[k];
-        const double  ay  = bonds.weight[k] * bonds.dy[k];
-        const double  v_x = j.v_x - particles.motion[i].v_x;
-        const double  v_y = j.v_y - particles.motion[i].v_y;
-        rate.xx += v_x * ax;
-        rate.xy += v_x * ay;
-        rate.yx += v_y * ax;
-        rate.yy += v_y * ay;
-      }
-    rate = product(rate, particles.shape[i]);
+    const Materials::Tensor2 rate = rate_of_gradient(particles, bonds, i);
     if (linear_law)
       return rate;
     // L = dF/dt F^-1.
@@ -110,15 +87,23 @@ namespace Morsel::SPH
   std::vector<Vector2>
   Solid::surface_vectors() const
   {
+    // S_i = V_i sum_j (V_j/V_i G_ji - G_ij).
     std::vector<Vector2> S(particles.n_owned, {0., 0.});
     for (unsigned int i = 0; i < particles.n_owned; ++i)
       for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
            ++k)
         {
+          const double V = particles.volume(i);
+          if (bonds.is_conforming())
+            {
+              S[i].x += V * (bonds.back[k].x - bonds.own[k].x);
+              S[i].y += V * (bonds.back[k].y - bonds.own[k].y);
+              continue;
+            }
           const Symmetric2 &B = particles.shape[i];
           const Symmetric2 &C = particles.shape[bonds.list.index[k]];
           const double      X = bonds.dx[k], Y = bonds.dy[k];
-          const double      w = particles.volume * bonds.weight[k];
+          const double      w = V * bonds.weight[k];
           S[i].x -= w * ((B.xx + C.xx) * X + (B.xy + C.xy) * Y);
           S[i].y -= w * ((B.xy + C.xy) * X + (B.yy + C.yy) * Y);
         }

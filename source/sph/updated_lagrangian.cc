@@ -1,6 +1,7 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/parallel.h>
 #include <morsel/sph/artificial_stress.h>
+#include <morsel/sph/body_cloud.h>
 #include <morsel/sph/body_cracks.h>
 #include <morsel/sph/stable_step.h>
 #include <morsel/sph/updated_lagrangian.h>
@@ -70,10 +71,18 @@ namespace Morsel::SPH
     const double dp     = body.spacing;
     particles.reference = body.positions(scene.seed);
     particles.spacing   = dp;
-    particles.volume    = dp * dp * depth;
-    particles.mass      = material.density * particles.volume;
 
     const unsigned int n = particles.reference.size();
+    area.assign(n, dp * dp);
+    if (body.scatter > 0.)
+      {
+        const Cloud cloud = body_cloud(body, scene.seed);
+        for (unsigned int i = 0; i < n; ++i)
+          area[i] = cloud.cells[i].area;
+      }
+    particles.set_areas(area, depth, material.density);
+    for (const double a : area)
+      mass_per_depth.push_back(material.density * a);
     particles.n_owned = particles.n_local = n;
     particles.id.resize(n);
     std::iota(particles.id.begin(), particles.id.end(), 0ull);
@@ -84,18 +93,15 @@ namespace Morsel::SPH
     particles.shape.assign(n, {1., 1., 0.});
     particles.viscous_heat.assign(n, 0.);
     density.assign(n, material.density);
-    area.assign(n, dp * dp);
     sigma.assign(n, {0., 0., 0., 0.});
     stress_work.assign(n, 0.);
     artificial_heat.assign(n, 0.);
     artificial.assign(n, {0., 0., 0.});
     place.resize(n);
 
-    constants.kernel         = kernel.kind;
-    constants.normalisation  = normalisation_named(body.solid.normalisation);
-    constants.h              = kernel.h;
-    constants.mass           = particles.mass;
-    constants.mass_per_depth = material.density * dp * dp;
+    constants.kernel        = kernel.kind;
+    constants.normalisation = normalisation_named(body.normalisation());
+    constants.h             = kernel.h;
     constants.viscosity_alpha_c =
         body.solid.viscosity_alpha * material.wave_speed;
     constants.viscosity_beta     = body.solid.viscosity_beta;
@@ -115,7 +121,7 @@ namespace Morsel::SPH
   {
     const double w2 =
         square_of_highest_frequency(material.wave_speed, kernel.h) +
-        contact_stiffness / particles.mass;
+        contact_stiffness / particles.least_mass();
     const double g = constants.viscosity
                          ? viscous_damping_rate(constants.viscosity_alpha_c,
                                                 particles.spacing)
@@ -180,6 +186,8 @@ namespace Morsel::SPH
     return {&neighbours,
             place.data(),
             area.data(),
+            particles.mass.data(),
+            mass_per_depth.data(),
             density.data(),
             weight.data(),
             offset.data(),
@@ -224,23 +232,7 @@ namespace Morsel::SPH
   void
   UpdatedLagrangian::advance(const double dt)
   {
-    // The first kick carries the velocities from time 0 to half a step.
-    const double kick = started ? dt : 0.5 * dt;
-    started           = true;
-    parallel_for(particles.n_owned, [&](unsigned int begin, unsigned int end) {
-      for (unsigned int i = begin; i < end; ++i)
-        {
-          const Vector2 a = particles.acceleration[i];
-          Vector2      &v = particles.half_velocity[i];
-          Motion       &m = particles.motion[i];
-          v.x += kick * a.x;
-          v.y += kick * a.y;
-          m.u_x += dt * v.x;
-          m.u_y += dt * v.y;
-          m.v_x = v.x + 0.5 * dt * a.x;
-          m.v_y = v.y + 0.5 * dt * a.y;
-        }
-    });
+    leapfrog.advance(particles, dt);
     update_stress(dt);
   }
 
@@ -261,7 +253,7 @@ namespace Morsel::SPH
           const double before   = area[i];
           const double dilation = 0.5 * dt * (L.xx + L.yy);
           density[i] *= (1. - dilation) / (1. + dilation);
-          area[i] = constants.mass_per_depth / density[i];
+          area[i] = mass_per_depth[i] / density[i];
           stress_work[i] += 0.25 * depth * (before + area[i]) * dt *
                             ((old.xx + s.xx) * L.xx + (old.yy + s.yy) * L.yy +
                              (old.xy + s.xy) * (L.xy + L.yx));
@@ -274,15 +266,7 @@ namespace Morsel::SPH
   UpdatedLagrangian::energies(const double time_step) const
   {
     SolidEnergies e;
-    const double  half = started ? 0.5 * time_step : 0.;
-    for (unsigned int i = 0; i < particles.n_owned; ++i)
-      {
-        const double v_x =
-            particles.half_velocity[i].x + half * particles.acceleration[i].x;
-        const double v_y =
-            particles.half_velocity[i].y + half * particles.acceleration[i].y;
-        e.kinetic += 0.5 * particles.mass * (v_x * v_x + v_y * v_y);
-      }
+    e.kinetic      = kinetic_energy(leapfrog, particles, time_step);
     e.strain       = sum(stress_work);
     e.viscous_heat = sum(particles.viscous_heat);
     e.artificial   = sum(artificial_heat);
@@ -293,13 +277,7 @@ namespace Morsel::SPH
   Vector2
   UpdatedLagrangian::momentum() const
   {
-    Vector2 p{0., 0.};
-    for (const Vector2 &v : particles.half_velocity)
-      {
-        p.x += particles.mass * v.x;
-        p.y += particles.mass * v.y;
-      }
-    return p;
+    return half_step_momentum(particles);
   }
 
 

@@ -183,7 +183,7 @@ namespace Morsel::SPH
               const double Pi = 2. * mu *
                                 (c.viscosity_beta * mu - c.viscosity_alpha_c) /
                                 (own_density + a.density[j]);
-              const double p = c.mass_per_depth * a.weight[k] * Pi;
+              const double p = a.mass_per_depth[j] * a.weight[k] * Pi;
               g_x -= p * x;
               g_y -= p * y;
               viscous -= p * vr;
@@ -193,9 +193,9 @@ namespace Morsel::SPH
       a.acceleration[i]    = {inverse * f_x + g_x, inverse * f_y + g_y};
       // Half of each pair's power belongs to each of the two.
       if constexpr (viscosity)
-        a.viscous_heat[i] += 0.5 * c.mass * time_step * viscous;
+        a.viscous_heat[i] += 0.5 * a.mass[i] * time_step * viscous;
       if constexpr (artificial)
-        a.artificial_heat[i] += 0.5 * c.mass * time_step * inverse * extra;
+        a.artificial_heat[i] += 0.5 * a.mass[i] * time_step * inverse * extra;
     }
 
 

@@ -419,13 +419,13 @@ BOOST_AUTO_TEST_CASE(crushed_food_stays_between_the_plates)
       << ", stress carried " << bite.normal_force(1) / (H * scene.depth) / 1e3
       << " kPa, energy balance within " << error / scale
       << " of the work, momentum within "
-      << momentum_error / (p.mass * p.n_owned));
+      << momentum_error / (p.mass[0] * p.n_owned));
   BOOST_TEST(bite.food().failed_share() > 0.9);
   BOOST_TEST(outermost > 0.);
   BOOST_TEST(tension <= 1e-9);
   BOOST_TEST(largest_ratio < 2.);
   BOOST_TEST(error < 0.04 * scale);
-  BOOST_TEST(momentum_error < 1e-13 * p.mass * p.n_owned);
+  BOOST_TEST(momentum_error < 1e-13 * p.mass[0] * p.n_owned);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -16,18 +16,26 @@ namespace
     double      scatter;
     KernelKind  kind;
     double      ratio;
+    bool        conforming = false, cut = false;
   };
 
   const Case cases[] = {
       {"lattice", 0., KernelKind::cubic_b_spline, 1.3},
       {"lattice, Wendland C2", 0., KernelKind::wendland_c2, 1.6},
       {"cloud", 0.2, KernelKind::cubic_b_spline, 1.3},
-      {"cloud, Wendland C2, wide", 0.2, KernelKind::wendland_c2, 2.}};
+      {"cloud, Wendland C2, wide", 0.2, KernelKind::wendland_c2, 2.},
+      {"conforming, lattice", 0., KernelKind::cubic_b_spline, 1.3, true},
+      {"conforming, cloud", 0.2, KernelKind::cubic_b_spline, 1.3, true},
+      {"conforming, cut", 0.2, KernelKind::cubic_b_spline, 1.3, true, true}};
 
   PatchBody
   body_of(const Case &c, const bool linear)
   {
-    return PatchBody(17, 12, linear, c.scatter, c.kind, c.ratio);
+    PatchBody body(
+        17, 12, linear, c.scatter, c.kind, c.ratio, 0.5, c.conforming);
+    if (c.cut)
+      body.cut(5.5 * PatchBody::spacing, 9. * PatchBody::spacing);
+    return body;
   }
 
 
@@ -67,7 +75,7 @@ BOOST_AUTO_TEST_CASE(gradient_of_a_linear_field_is_exact)
       BOOST_TEST_MESSAGE("gradient of a linear field, " << c.name << ": error "
                                                         << worst);
       BOOST_TEST(worst < 1e-14);
-      BOOST_TEST(residual < 1e-28 * body.p.volume);
+      BOOST_TEST(residual < 1e-28 * body.p.volume(0));
     }
 }
 
@@ -99,7 +107,7 @@ BOOST_AUTO_TEST_CASE(rigid_motions_cause_neither_stress_nor_force)
       stress /= body.material.youngs_modulus;
       BOOST_TEST_MESSAGE("rigid motions, " << c.name << ": stress/E " << stress
                                            << ", force " << force);
-      BOOST_TEST(stress < 1e-14);
+      BOOST_TEST(stress < 2e-14);
       BOOST_TEST(force < 1e-13);
     }
 }
@@ -157,8 +165,9 @@ BOOST_AUTO_TEST_CASE(forces_and_moments_sum_to_zero)
           {
             // Finite strain: about where the particles are now. Small strain:
             // about where they were.
-            const Vector2 a = body.p.acceleration[i];
-            const auto    x = linear ? body.p.reference[i] : body.p.position(i);
+            Vector2    a = body.p.acceleration[i];
+            const auto x = linear ? body.p.reference[i] : body.p.position(i);
+            a            = {a.x * body.p.mass[i], a.y * body.p.mass[i]};
             f_x += a.x;
             f_y += a.y;
             size += std::hypot(a.x, a.y);
@@ -189,10 +198,12 @@ BOOST_AUTO_TEST_CASE(force_is_the_derivative_of_the_energy)
             body.p.hourglass[i] *= 1. - body.p.damage[i];
           }
         body.accelerate();
-        const auto   a     = body.p.acceleration;
-        double       worst = 0.;
-        const double step  = 1e-5 * body.spacing,
-                     unit  = body.p.mass * body.unit_acceleration();
+        const auto a     = body.p.acceleration;
+        double     worst = 0.;
+        // Small: the second derivative jumps where a damaged particle's volume
+        // passes its reference, and the difference errs in proportion.
+        const double step = 1e-6 * body.spacing,
+                     unit = body.p.mass[0] * body.unit_acceleration();
         for (unsigned int i = 0; i < body.p.n_owned; i += 5)
           for (double Motion::*const u : {&Motion::u_x, &Motion::u_y})
             {
@@ -203,7 +214,7 @@ BOOST_AUTO_TEST_CASE(force_is_the_derivative_of_the_energy)
               const double below  = body.energy();
               body.p.motion[i].*u = there;
               const double force =
-                  body.p.mass * (u == &Motion::u_x ? a[i].x : a[i].y);
+                  body.p.mass[i] * (u == &Motion::u_x ? a[i].x : a[i].y);
               worst = std::max(worst,
                                std::abs(force + (above - below) / (2. * step)) /
                                    unit);
@@ -218,37 +229,82 @@ BOOST_AUTO_TEST_CASE(force_is_the_derivative_of_the_energy)
 
 BOOST_AUTO_TEST_CASE(viscous_forces_cancel_and_heat_is_their_power)
 {
-  PatchBody body(17, 12, false, 0.2);
-  body.set_random(0.03);
-  std::mt19937                     generator(5);
-  std::normal_distribution<double> normal(0., 3.);
-  for (Motion &m : body.p.motion)
+  for (const bool conforming : {false, true})
     {
-      m.v_x = normal(generator);
-      m.v_y = normal(generator);
+      PatchBody body(
+          17, 12, false, 0.2, KernelKind::cubic_b_spline, 1.3, 0.5, conforming);
+      body.set_random(0.03);
+      std::mt19937                     generator(5);
+      std::normal_distribution<double> normal(0., 3.);
+      for (Motion &m : body.p.motion)
+        {
+          m.v_x = normal(generator);
+          m.v_y = normal(generator);
+        }
+      body.accelerate();
+      const auto elastic = body.p.acceleration;
+      body.accelerate(true, 1e-6);
+      double f_x = 0., f_y = 0., power = 0., moment = 0., heat = 0., size = 0.;
+      for (unsigned int i = 0; i < body.p.n_owned; ++i)
+        {
+          const double m   = body.p.mass[i] / body.p.mass[0];
+          const double a_x = m * (body.p.acceleration[i].x - elastic[i].x);
+          const double a_y = m * (body.p.acceleration[i].y - elastic[i].y);
+          const auto   x   = body.p.position(i);
+          f_x += a_x;
+          f_y += a_y;
+          moment += (x[0] * a_y - x[1] * a_x) / body.spacing;
+          power += body.p.mass[0] *
+                   (a_x * body.p.motion[i].v_x + a_y * body.p.motion[i].v_y);
+          size += std::hypot(a_x, a_y);
+          heat += body.p.viscous_heat[i];
+          BOOST_REQUIRE(body.p.viscous_heat[i] >= 0.);
+        }
+      BOOST_TEST(std::hypot(f_x, f_y) < 1e-13 * size);
+      BOOST_TEST(std::abs(moment) < 1e-12 * size);
+      BOOST_TEST(heat == -power * 1e-6, boost::test_tools::tolerance(1e-10));
+      BOOST_TEST(heat > 0.);
     }
-  body.accelerate();
-  const auto elastic = body.p.acceleration;
-  body.accelerate(true, 1e-6);
-  double f_x = 0., f_y = 0., power = 0., moment = 0., heat = 0., size = 0.;
-  for (unsigned int i = 0; i < body.p.n_owned; ++i)
+}
+
+
+BOOST_AUTO_TEST_CASE(conforming_forces_of_a_constant_stress)
+{
+  // On any cloud: none inside, on the surface those of its surface vectors,
+  // which sum up to the edges.
+  for (const bool linear : {true, false})
     {
-      const double a_x = body.p.acceleration[i].x - elastic[i].x;
-      const double a_y = body.p.acceleration[i].y - elastic[i].y;
-      const auto   x   = body.p.position(i);
-      f_x += a_x;
-      f_y += a_y;
-      moment += (x[0] * a_y - x[1] * a_x) / body.spacing;
-      power += body.p.mass *
-               (a_x * body.p.motion[i].v_x + a_y * body.p.motion[i].v_y);
-      size += std::hypot(a_x, a_y);
-      heat += body.p.viscous_heat[i];
-      BOOST_REQUIRE(body.p.viscous_heat[i] >= 0.);
+      PatchBody body(
+          20, 18, linear, 0.2, KernelKind::cubic_b_spline, 1.3, 0.5, true);
+      body.set_linear({0.02, 0.03, -0.01, -0.05}, 0., 0.);
+      body.accelerate();
+      const double reach  = 2. * body.kernel.support();
+      double       inside = 0., largest = 0., variation = 0.;
+      for (unsigned int i = 0; i < body.p.n_owned; ++i)
+        {
+          const auto      &X = body.p.reference[i];
+          const Vector2   &a = body.p.acceleration[i];
+          const PairStress P = body.p.pair_stress[i], Q = body.p.pair_stress[0];
+          const double     size = std::max(std::abs(a.x), std::abs(a.y));
+          largest               = std::max(largest, size);
+          variation             = std::max({variation,
+                                            std::abs(P.xx - Q.xx),
+                                            std::abs(P.xy - Q.xy),
+                                            std::abs(P.yx - Q.yx),
+                                            std::abs(P.yy - Q.yy)});
+          if (std::min({X[0] - body.cloud.lower[0],
+                        body.cloud.upper[0] - X[0],
+                        X[1] - body.cloud.lower[1],
+                        body.cloud.upper[1] - X[1]}) > reach)
+            inside = std::max(inside, size);
+        }
+      BOOST_TEST_MESSAGE("conforming, constant stress: force inside "
+                         << inside / largest << " of the surface's, stress "
+                         << "varies by "
+                         << variation / body.material.youngs_modulus << " E");
+      BOOST_TEST(inside < 1e-13 * largest);
+      BOOST_TEST(variation < 1e-14 * body.material.youngs_modulus);
     }
-  BOOST_TEST(std::hypot(f_x, f_y) < 1e-13 * size);
-  BOOST_TEST(std::abs(moment) < 1e-12 * size);
-  BOOST_TEST(heat == -power * 1e-6, boost::test_tools::tolerance(1e-10));
-  BOOST_TEST(heat > 0.);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,7 @@
 #ifndef morsel_tests_patch_body_h
 #define morsel_tests_patch_body_h
 
+#include <morsel/sph/leapfrog.h>
 #include <morsel/sph/pair_kernels.h>
 #include <morsel/sph/pair_loops.h>
 
@@ -18,10 +19,11 @@ namespace Morsel::SPH
     PatchBody(const unsigned int nx,
               const unsigned int ny,
               const bool         linear_law,
-              const double       scatter   = 0.,
-              const KernelKind   kind      = KernelKind::cubic_b_spline,
-              const double       ratio     = 1.3,
-              const double       hourglass = 0.5)
+              const double       scatter    = 0.,
+              const KernelKind   kind       = KernelKind::cubic_b_spline,
+              const double       ratio      = 1.3,
+              const double       hourglass  = 0.5,
+              const bool         conforming = false)
         : kernel(kind, ratio * spacing)
         , material(23.9e6, 0.3, 1088.)
         , linear_law(linear_law)
@@ -35,6 +37,8 @@ namespace Morsel::SPH
             const double b = scatter > 0. ? uniform(generator) : 0.;
             add({(x + a) * spacing, (y + b) * spacing});
           }
+      if (conforming)
+        fill_cells(nx, ny);
       hourglass_stiffness = hourglass * material.youngs_modulus;
       complete();
     }
@@ -53,8 +57,11 @@ namespace Morsel::SPH
       const unsigned int n = p.reference.size();
       p.n_owned = p.n_local = n;
       p.spacing             = spacing;
-      p.volume              = spacing * spacing * depth;
-      p.mass                = material.density * p.volume;
+      std::vector<double> areas(n, spacing * spacing);
+      if (is_conforming())
+        for (unsigned int i = 0; i < n; ++i)
+          areas[i] = cloud.cells[i].area;
+      p.set_areas(areas, depth, material.density);
       p.motion.assign(n, {0., 0., 0., 0.});
       p.half_velocity.assign(n, {0., 0.});
       p.acceleration.assign(n, {0., 0.});
@@ -70,10 +77,66 @@ namespace Morsel::SPH
       p.driver.assign(n, 0.);
       p.crushed.assign(p.n_groups(), 0);
       p.strongest.assign(p.n_groups(), 0.);
-      bonds.build(p, kernel);
-      for (unsigned int i = 0; i < n; ++i)
-        if (bonds.list.start[i + 1] > bonds.list.start[i])
+      p.fit_stress.assign(n, {0., 0., 0., 0.});
+      if (is_conforming())
+        {
+          bonds.build_conforming(p, cloud, kernel);
+          p.deficit.resize(n);
+          p.fit.resize(n);
+        }
+      else
+        bonds.build(p, kernel);
+      renew();
+    }
+
+    /// What follows from the uncut bonds.
+    void
+    renew()
+    {
+      for (unsigned int i = 0; i < p.n_owned; ++i)
+        if (is_conforming())
+          {
+            const Tensor2 G = bonds.gradient_moment(i);
+            p.fit[i]        = inverse(bonds.moment(i));
+            p.deficit[i]    = {1. - G.xx, -G.xy, -G.yx, 1. - G.yy};
+          }
+        else if (bonds.list.start[i + 1] > bonds.list.start[i])
           p.shape[i] = inverse(bonds.moment(i));
+    }
+
+    /// Cuts all bonds across the height @p y from the left edge to @p length.
+    void
+    cut(const double y, const double length)
+    {
+      bonds.make_breakable(kernel);
+      for (unsigned int i = 0; i < p.n_owned; ++i)
+        for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
+             ++k)
+          {
+            const auto &X = p.reference[i];
+            const auto &Y = p.reference[bonds.list.index[k]];
+            if (X[1] < y && Y[1] > y && std::max(X[0], Y[0]) < length)
+              bonds.cut(k);
+          }
+      renew();
+    }
+
+    bool
+    is_conforming() const
+    {
+      return !cloud.cells.empty();
+    }
+
+    /// Voronoi cells in the rectangle half a spacing around a lattice.
+    void
+    fill_cells(const unsigned int nx, const unsigned int ny)
+    {
+      cloud.lower   = {-0.5 * spacing, -0.5 * spacing};
+      cloud.upper   = {(nx - 0.5) * spacing, (ny - 0.5) * spacing};
+      cloud.spacing = spacing;
+      cloud.points  = p.reference;
+      cloud.cells =
+          voronoi_cells(cloud.points, cloud.lower, cloud.upper, cloud.spacing);
     }
 
     /// u(X) = (H X + shift) for all particles.
@@ -106,7 +169,9 @@ namespace Morsel::SPH
     strain()
     {
       constexpr unsigned int soften_deviator = 1;
-      pair_kernels().strain[linear_law][soften_deviator](
+      const PairKernels     &kernels         = pair_kernels();
+      (is_conforming() ? kernels.strain_conforming
+                       : kernels.strain)[linear_law][soften_deviator](
           bonded_arrays(p, bonds), constants(), 0, p.n_groups());
     }
 
@@ -115,7 +180,9 @@ namespace Morsel::SPH
     accelerate(const bool viscosity = false, const double time_step = 0.)
     {
       strain();
-      pair_kernels().force[viscosity][true](
+      const PairKernels &kernels = pair_kernels();
+      (is_conforming() ? kernels.force_conforming
+                       : kernels.force)[viscosity][true](
           bonded_arrays(p, bonds), constants(), time_step, 0, p.n_groups());
     }
 
@@ -126,12 +193,12 @@ namespace Morsel::SPH
       strain();
       double sum = 0.;
       for (unsigned int i = 0; i < p.n_owned; ++i)
-        if (!p.failed[i] && p.shape[i].xx > 0.)
-          sum += p.volume * Materials::stored_energy(
-                                Materials::Softening::deviator,
-                                material,
-                                response_at(p, material, linear_law, i),
-                                p.damage[i]) +
+        if (!p.failed[i] && (is_conforming() || p.shape[i].xx > 0.))
+          sum += p.volume(i) * Materials::stored_energy(
+                                   Materials::Softening::deviator,
+                                   material,
+                                   response_at(p, material, linear_law, i),
+                                   p.damage[i]) +
                  p.hourglass[i] * fit_residual(p, bonds, i);
       return sum;
     }
@@ -140,28 +207,12 @@ namespace Morsel::SPH
     kinetic_energy() const
     {
       double sum = 0.;
-      for (const Motion &m : p.motion)
-        sum += 0.5 * p.mass * (m.v_x * m.v_x + m.v_y * m.v_y);
-      return sum;
-    }
-
-    /// One kick and drift, as Solid::advance() does it.
-    void
-    advance(const double dt, const bool first)
-    {
       for (unsigned int i = 0; i < p.n_owned; ++i)
         {
-          const Vector2 a    = p.acceleration[i];
-          const double  kick = first ? 0.5 * dt : dt;
-          Vector2      &v    = p.half_velocity[i];
-          v.x += kick * a.x;
-          v.y += kick * a.y;
-          Motion &m = p.motion[i];
-          m.u_x += dt * v.x;
-          m.u_y += dt * v.y;
-          m.v_x = v.x + 0.5 * dt * a.x;
-          m.v_y = v.y + 0.5 * dt * a.y;
+          const Motion &m = p.motion[i];
+          sum += 0.5 * p.mass[i] * (m.v_x * m.v_x + m.v_y * m.v_y);
         }
+      return sum;
     }
 
     BondedConstants
@@ -171,7 +222,6 @@ namespace Morsel::SPH
       c.mu                = material.mu;
       c.bulk              = material.bulk;
       c.density           = material.density;
-      c.mass              = p.mass;
       c.uniform_hourglass = hourglass_stiffness;
       c.viscosity_alpha_c = material.wave_speed;
       c.viscosity_beta    = 2.;
@@ -194,6 +244,8 @@ namespace Morsel::SPH
     double                hourglass_stiffness = 0.;
     Particles             p;
     Bonds                 bonds;
+    Cloud                 cloud; ///< with cells where conforming
+    Leapfrog              leapfrog;
   };
 } // namespace Morsel::SPH
 

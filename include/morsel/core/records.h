@@ -50,7 +50,7 @@ namespace Morsel
   {
     double spacing;          ///< dp [m]
     double depth;            ///< out of plane [m]
-    double mass;             ///< of one particle [kg]
+    double mass;             ///< of the lightest particle [kg]
     double youngs_modulus;   ///< [Pa]
     double p_wave_modulus;   ///< lambda + 2 mu [Pa]
     double smoothing_length; ///< h [m], of the potential's kernel

@@ -48,6 +48,12 @@ namespace Morsel::Scene
     std::vector<dealii::Point<2>>
     positions(unsigned int seed) const;
 
+    /// The choice of 'Solid/Normalisation', with what 'auto' stands for: the
+    /// gradient matrix on lattices and in the updated Lagrangian form, the
+    /// conforming gradient on scattered particles.
+    std::string
+    normalisation() const;
+
     /// Velocity at time 0 as a function of the place [m/s].
     /// @throws InputError if the field is no expression.
     std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)>

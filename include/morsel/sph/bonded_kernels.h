@@ -19,10 +19,45 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
       softened_principal
     };
 
+    /// How the displacement gradient is formed.
+    enum class Gradient
+    {
+      fit,       ///< with the gradient matrix: a least-squares fit
+      own_fit,   ///< with another matrix; the residual needs its own fit
+      conforming ///< with weights G_ij as data, the residual with its own fit
+    };
+
     struct Stress
     {
       V xx, yy, xy, zz;
     };
+
+
+    struct Matrix
+    {
+      V xx{}, xy{}, yx{}, yy{};
+
+      /// Adds u (x) g.
+      MORSEL_INLINE void
+      add(const V u_x, const V u_y, const V g_x, const V g_y)
+      {
+        xx += u_x * g_x;
+        xy += u_x * g_y;
+        yx += u_y * g_x;
+        yy += u_y * g_y;
+      }
+    };
+
+
+    /// A B.
+    MORSEL_INLINE Matrix
+    product(const Matrix &A, const Matrix &B)
+    {
+      return {A.xx * B.xx + A.xy * B.yx,
+              A.xx * B.xy + A.xy * B.yy,
+              A.yx * B.xx + A.yy * B.yx,
+              A.yx * B.xy + A.yy * B.yy};
+    }
 
 
     /// Particles [first, first + lanes) of a group; lanes past the last
@@ -81,19 +116,43 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     }
 
 
-    /// @tparam own_fit the gradient is not the least-squares fit, so that the
-    ///   hourglass term needs the fit's matrix beside the gradient's.
-    template <bool linear_law, Softened softened, bool own_fit>
-    MORSEL_INLINE void
-    strain_row(const BondedArrays    &a,
-               const BondedConstants &c,
-               const unsigned int     g,
-               const unsigned int     offset)
+    MORSEL_INLINE Matrix
+    symmetric_of(const Row &row, const Symmetric2 *matrices)
     {
-      const Row row(a, g * group_size + offset);
-      V         u_x, u_y;
+      const V xx =
+          gather([&](unsigned int l) { return &matrices[row.particle(l)].xx; });
+      const V yy =
+          gather([&](unsigned int l) { return &matrices[row.particle(l)].yy; });
+      const V xy =
+          gather([&](unsigned int l) { return &matrices[row.particle(l)].xy; });
+      return {xx, xy, xy, yy};
+    }
+
+
+    /// The matrices of a row that its kind of gradient takes.
+    struct Corrections
+    {
+      Matrix shape, fit;
+    };
+
+
+    /// The displacement gradient H; with the conforming gradient
+    /// H = sum u_ij (x) G_ij + H_fit R with R = I - sum X_ij (x) G_ij, the
+    /// least change that keeps linear fields exact once bonds are cut.
+    template <Softened softened, Gradient kind>
+    MORSEL_INLINE void
+    displacement_gradient(const BondedArrays &a,
+                          const Row          &row,
+                          const unsigned int  g,
+                          const unsigned int  offset,
+                          const Corrections  &correction,
+                          Matrix             &H,
+                          Matrix             &fit)
+    {
+      V u_x, u_y;
       gather_pairs(row.of(a.motion), u_x, u_y);
-      V m_xx{}, m_xy{}, m_yx{}, m_yy{};
+      Matrix                  moment;
+      [[maybe_unused]] Matrix sum;
       for (unsigned int s = a.slot_begin[g]; s < a.slot_end[g]; ++s)
         {
           const unsigned int k = s * group_size + offset;
@@ -101,23 +160,88 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           gather_pairs(neighbours_in(a.motion, a.index + k), du_x, du_y);
           du_x -= u_x;
           du_y -= u_y;
-          const V w  = load(a.weight + k);
-          const V ax = w * load(a.dx + k), ay = w * load(a.dy + k);
-          m_xx += du_x * ax;
-          m_xy += du_x * ay;
-          m_yx += du_y * ax;
-          m_yy += du_y * ay;
+          const V w = load(a.weight + k);
+          moment.add(du_x, du_y, w * load(a.dx + k), w * load(a.dy + k));
+          if constexpr (kind == Gradient::conforming)
+            sum.add(du_x, du_y, load(a.own_x + k), load(a.own_y + k));
         }
-      const V B_xx =
-          gather([&](unsigned int l) { return &a.shape[row.particle(l)].xx; });
-      const V B_yy =
-          gather([&](unsigned int l) { return &a.shape[row.particle(l)].yy; });
-      const V B_xy =
-          gather([&](unsigned int l) { return &a.shape[row.particle(l)].xy; });
-      const V H_xx = m_xx * B_xx + m_xy * B_xy;
-      const V H_xy = m_xx * B_xy + m_xy * B_yy;
-      const V H_yx = m_yx * B_xx + m_yy * B_xy;
-      const V H_yy = m_yx * B_xy + m_yy * B_yy;
+      if constexpr (kind != Gradient::fit)
+        fit = product(moment, correction.fit);
+      if constexpr (kind != Gradient::conforming)
+        H = product(moment, correction.shape);
+      else if constexpr (softened == intact)
+        H = sum;
+      else
+        {
+          Matrix R;
+          gather_records(row.of(a.deficit), R.xx, R.xy, R.yx, R.yy);
+          const Matrix lost = product(fit, R);
+          H                 = {sum.xx + lost.xx,
+                               sum.xy + lost.xy,
+                               sum.yx + lost.yx,
+                               sum.yy + lost.yy};
+        }
+      if constexpr (kind == Gradient::fit)
+        fit = H;
+    }
+
+
+    /// What the force loop gathers, see PairStress.
+    template <Softened softened, Gradient kind>
+    MORSEL_INLINE void
+    store_pair_stress(const BondedArrays    &a,
+                      const BondedConstants &c,
+                      const Row             &row,
+                      const Corrections     &correction,
+                      const Matrix          &P,
+                      const Matrix          &fit)
+    {
+      V hg = all(0.5 * c.uniform_hourglass);
+      if constexpr (softened != intact)
+        hg = 0.5 * gather([&](unsigned int l) {
+               return &a.hourglass[row.particle(l)];
+             });
+      Matrix T{}; // through the weights a_ij
+      if constexpr (kind != Gradient::conforming)
+        T = product(P, correction.shape);
+      else
+        {
+          scatter_records(row.to(a.pair_stress), row.n, P.xx, P.xy, P.yx, P.yy);
+          if constexpr (softened != intact)
+            {
+              Matrix R; // transposed
+              gather_records(row.of(a.deficit), R.xx, R.yx, R.xy, R.yy);
+              T = product(product(P, R), correction.fit);
+            }
+        }
+      scatter_records(
+          row.to(kind == Gradient::conforming ? a.fit_stress : a.pair_stress),
+          row.n,
+          T.xx - hg * fit.xx,
+          T.xy - hg * fit.xy,
+          T.yx - hg * fit.yx,
+          T.yy - hg * fit.yy);
+    }
+
+
+    template <bool linear_law, Softened softened, Gradient kind>
+    MORSEL_INLINE void
+    strain_row(const BondedArrays    &a,
+               const BondedConstants &c,
+               const unsigned int     g,
+               const unsigned int     offset)
+    {
+      const Row row(a, g * group_size + offset);
+
+      Corrections correction;
+      if constexpr (kind != Gradient::conforming)
+        correction.shape = symmetric_of(row, a.shape);
+      if constexpr (kind != Gradient::fit)
+        correction.fit = symmetric_of(row, a.fit);
+      Matrix H, fit;
+      displacement_gradient<softened, kind>(
+          a, row, g, offset, correction, H, fit);
+      const V H_xx = H.xx, H_xy = H.xy, H_yx = H.yx, H_yy = H.yy;
       const V F_xx = 1. + H_xx, F_yy = 1. + H_yy;
 
       Stress deviator;
@@ -190,36 +314,13 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           P_yy = sigma.yy * F_xx - sigma.xy * H_yx;
         }
 
-      V hg = all(0.5 * c.uniform_hourglass);
-      if constexpr (softened != intact)
-        hg = 0.5 * gather([&](unsigned int l) {
-               return &a.hourglass[row.particle(l)];
-             });
       scatter_records(row.to(a.gradient), row.n, H_xx, H_xy, H_yx, H_yy);
-      V fit_xx = H_xx, fit_xy = H_xy, fit_yx = H_yx, fit_yy = H_yy;
-      if constexpr (own_fit)
-        {
-          const V C_xx = gather(
-              [&](unsigned int l) { return &a.fit[row.particle(l)].xx; });
-          const V C_yy = gather(
-              [&](unsigned int l) { return &a.fit[row.particle(l)].yy; });
-          const V C_xy = gather(
-              [&](unsigned int l) { return &a.fit[row.particle(l)].xy; });
-          fit_xx = m_xx * C_xx + m_xy * C_xy;
-          fit_xy = m_xx * C_xy + m_xy * C_yy;
-          fit_yx = m_yx * C_xx + m_yy * C_xy;
-          fit_yy = m_yx * C_xy + m_yy * C_yy;
-        }
-      scatter_records(row.to(a.pair_stress),
-                      row.n,
-                      P_xx * B_xx + P_xy * B_xy - hg * fit_xx,
-                      P_xx * B_xy + P_xy * B_yy - hg * fit_xy,
-                      P_yx * B_xx + P_yy * B_xy - hg * fit_yx,
-                      P_yx * B_xy + P_yy * B_yy - hg * fit_yy);
+      store_pair_stress<softened, kind>(
+          a, c, row, correction, {P_xx, P_xy, P_yx, P_yy}, fit);
     }
 
 
-    template <bool linear_law, Softened softened, bool own_fit = false>
+    template <bool linear_law, Softened softened, Gradient kind = Gradient::fit>
     void
     strain_loop(const BondedArrays    &a,
                 const BondedConstants &c,
@@ -235,7 +336,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
                 continue;
             }
           for (unsigned int offset = 0; offset < group_size; offset += lanes)
-            strain_row<linear_law, softened, own_fit>(a, c, g, offset);
+            strain_row<linear_law, softened, kind>(a, c, g, offset);
         }
     }
 
@@ -243,8 +344,10 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     /// dv_i/dt = 1/rho_0 sum_j a_ij [(T_i + T_j) X_ij + k_ij u_ij], with
     /// T = P B - k_hg H / 2 and k_ij = (k_hg,i + k_hg,j) / 2: stress and
     /// the residual of the linear fit in one sweep. Every term changes but
-    /// its sign when i and j are exchanged.
-    template <bool viscosity, bool varying>
+    /// its sign when i and j are exchanged. With the conforming gradient
+    /// dv_i/dt = 1/rho_0 sum_j [P_i G_ij - V_j/V_i P_j G_ji +
+    ///   a_ij ((S_i + S_j) X_ij + k_ij u_ij)],  S = P R^T C - k_hg H_fit / 2.
+    template <bool viscosity, bool varying, Gradient kind>
     MORSEL_INLINE void
     force_row(const BondedArrays    &a,
               const BondedConstants &c,
@@ -258,7 +361,13 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
         gather_records(row.of(a.motion), u_x, u_y, v_x, v_y);
       else
         gather_pairs(row.of(a.motion), u_x, u_y);
-      gather_records(row.of(a.pair_stress), T_xx, T_xy, T_yx, T_yy);
+      constexpr bool          conforming = kind == Gradient::conforming;
+      const PairStress *const weighted =
+          conforming ? a.fit_stress : a.pair_stress;
+      gather_records(row.of(weighted), T_xx, T_xy, T_yx, T_yy);
+      [[maybe_unused]] Matrix P;
+      if constexpr (conforming)
+        gather_records(row.of(a.pair_stress), P.xx, P.xy, P.yx, P.yy);
       V hg = all(c.uniform_hourglass);
       if constexpr (varying)
         hg = 0.5 * gather([&](unsigned int l) {
@@ -282,7 +391,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           else
             gather_pairs(neighbours_in(a.motion, index), du_x, du_y);
           gather_records(
-              neighbours_in(a.pair_stress, index), S_xx, S_xy, S_yx, S_yy);
+              neighbours_in(weighted, index), S_xx, S_xy, S_yx, S_yy);
           du_x -= u_x;
           du_y -= u_y;
           V kij = hg;
@@ -290,6 +399,16 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
             kij += 0.5 * gather(neighbours_in(a.hourglass, index));
           f_x += w * ((T_xx + S_xx) * X + (T_xy + S_xy) * Y + kij * du_x);
           f_y += w * ((T_yx + S_yx) * X + (T_yy + S_yy) * Y + kij * du_y);
+          if constexpr (conforming)
+            {
+              const V G_x = load(a.own_x + k), G_y = load(a.own_y + k);
+              const V b_x = load(a.back_x + k), b_y = load(a.back_y + k);
+              Matrix  Q;
+              gather_records(
+                  neighbours_in(a.pair_stress, index), Q.xx, Q.xy, Q.yx, Q.yy);
+              f_x += P.xx * G_x + P.xy * G_y - Q.xx * b_x - Q.xy * b_y;
+              f_y += P.yx * G_x + P.yy * G_y - Q.yx * b_x - Q.yy * b_y;
+            }
 
           if constexpr (viscosity)
             {
@@ -299,7 +418,8 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
               const V vr = smaller((dv_x - v_x) * r_x + (dv_y - v_y) * r_y,
                                    V{}); // approaching
               const V mu = h * vr / (r_x * r_x + r_y * r_y + 0.01 * h * h);
-              const V q  = w * mu * (c.viscosity_beta * mu - alpha);
+              const V q  = (conforming ? load(a.damping + k) : w) * mu *
+                          (c.viscosity_beta * mu - alpha);
               g_x -= q * r_x;
               g_y -= q * r_y;
               power -= q * vr;
@@ -313,16 +433,16 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           a_x += g_x;
           a_y += g_y;
           // Half of each pair's power belongs to each of the two.
-          power *= 0.5 * c.mass * time_step;
+          power *= 0.5 * time_step;
           for (unsigned int l = 0; l < lanes; ++l)
             if (l < row.n)
-              a.viscous_heat[row.first + l] += power[l];
+              a.viscous_heat[row.first + l] += a.mass[row.first + l] * power[l];
         }
       scatter_pairs(row.to(a.acceleration), row.n, a_x, a_y);
     }
 
 
-    template <bool viscosity, bool varying>
+    template <bool viscosity, bool varying, Gradient kind = Gradient::fit>
     void
     force_loop(const BondedArrays    &a,
                const BondedConstants &c,
@@ -340,7 +460,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           }
         else
           for (unsigned int offset = 0; offset < group_size; offset += lanes)
-            force_row<viscosity, varying>(a, c, time_step, g, offset);
+            force_row<viscosity, varying, kind>(a, c, time_step, g, offset);
     }
   } // namespace
 } // namespace Morsel::SPH::MORSEL_INSTRUCTION_SET

@@ -3,6 +3,7 @@
 
 #include <morsel/core/kernel.h>
 #include <morsel/fracture/crack.h>
+#include <morsel/sph/cloud.h>
 #include <morsel/sph/neighbours.h>
 #include <morsel/sph/particles.h>
 
@@ -26,6 +27,11 @@ namespace Morsel::SPH
     dealii::AlignedVector<double>       dx, dy; ///< X_j - X_i [m]
     dealii::AlignedVector<unsigned int> index;
 
+    // Only with the conforming gradient.
+    dealii::AlignedVector<double> own_x, own_y;   ///< G_ij [1/m]
+    dealii::AlignedVector<double> back_x, back_y; ///< V_j/V_i G_ji [1/m]
+    dealii::AlignedVector<double> damping;        ///< of viscosity [1/m^2]
+
     // Only where bonds can break.
     dealii::AlignedVector<double> average; ///< W(|X_ij|) while uncut [1/m^2]
     std::vector<unsigned int>     place;   ///< where each entry of Bonds went
@@ -36,6 +42,10 @@ namespace Morsel::SPH
   /// carries weight a_ij = V_j |W'|/R (zero once cut), X_j - X_i and, where
   /// bonds can break, the place of the pair's other entry.
   ///
+  /// With the conforming gradient, it carries G_ij and V_j/V_i G_ji besides,
+  /// and the weight is that of the residual control, a_ij = V_j W/R^2. Pairs
+  /// are those of G, of its transpose and of the residual control together.
+  ///
   /// The gradient matrix B_i = (sum_j a_ij X_ij (x) X_ij)^-1 makes
   /// H_i = sum_j a_ij u_ij (x) B_i X_ij the least-squares fit of a linear
   /// field with the weights a_ij, so that the residual-of-fit hourglass term
@@ -45,14 +55,36 @@ namespace Morsel::SPH
     NeighbourList             list;
     std::vector<double>       weight; ///< a_ij [1/m^2]
     std::vector<double>       dx, dy; ///< X_j - X_i [m]
+    std::vector<char>         live;   ///< not cut
     std::vector<unsigned int> mirror; ///< entry (j, i) of entry (i, j)
     PackedBonds               packed;
 
-    /// @param cracks past which particles do not see each other
+    // Only with the conforming gradient.
+    std::vector<Vector2> own;  ///< G_ij [1/m]
+    std::vector<Vector2> back; ///< V_j/V_i G_ji [1/m]
+
+    /// The eigenvalues of moment() inside of a body [1].
+    double full_moment = 1.;
+
+    /// Pairs that do not see each other past the @p cracks have no bond.
     void
     build(const Particles                    &particles,
           const Kernel                       &kernel,
           const std::vector<Fracture::Crack> &cracks = {});
+
+    /// The same with the conforming gradient.
+    /// @param cloud the particles' in their order, on one rank
+    void
+    build_conforming(const Particles                    &particles,
+                     const Cloud                        &cloud,
+                     const Kernel                       &kernel,
+                     const std::vector<Fracture::Crack> &cracks = {});
+
+    bool
+    is_conforming() const
+    {
+      return !own.empty();
+    }
 
     /// Fills what cuts and averages need; to be called before the first.
     void
@@ -83,14 +115,36 @@ namespace Morsel::SPH
     Symmetric2
     moment(unsigned int i) const;
 
-    /// |sum_j a_ij X_ij| [1/m]: zero inside a lattice, about 0.4/dp in the
-    /// outermost row.
+    /// sum_j X_ij (x) G_ij of the uncut bonds [1]: the unit matrix while none
+    /// is cut. Only with the conforming gradient.
+    Tensor2
+    gradient_moment(unsigned int i) const;
+
+    /// Half of what @p particles' surface vector is with the kernel's own
+    /// gradient, |sum_j V_j grad W_ij| [1/m]: zero inside a lattice, about
+    /// 0.4/dp in the outermost row.
     double
-    surface_measure(unsigned int i) const;
+    surface_measure(unsigned int     i,
+                    const Particles &particles,
+                    const Kernel    &kernel) const;
 
   private:
     void
+    set_offsets(const Particles &particles);
+
+    /// Lays out the rows and what every form has.
+    void
     pack();
+
+    /// Lays out a further quantity of the pairs.
+    template <typename Value>
+    void
+    pack(const Value &value, dealii::AlignedVector<double> &packed_values) const
+    {
+      packed_values.resize(packed.index.size(), 0.);
+      for (unsigned int k = 0; k < packed.place.size(); ++k)
+        packed_values[packed.place[k]] = value(k);
+    }
   };
 
 

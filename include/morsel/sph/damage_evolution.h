@@ -65,7 +65,7 @@ namespace Morsel::SPH
     double
     failed_share() const
     {
-      return static_cast<double>(failed_count) / particles.n_owned;
+      return failed_area / total_area;
     }
 
   private:
@@ -122,7 +122,8 @@ namespace Morsel::SPH
     std::vector<char>         is_touched, exposed;
     std::vector<double>       contact_diameter;
     double                    heat_of_bonds = 0.;
-    unsigned int              failed_count  = 0;
+    double                    failed_area   = 0.; ///< [m^2]
+    const double              total_area;
 
     // For each group of particles.
     NeighbourList       groups_nearby;

@@ -43,6 +43,8 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
       const GrainStress own_stress = a.stress[m];
       const bool        is_grain   = own_stress.signed_area > 0.;
       const double      own_area   = __builtin_fabs(own_stress.signed_area);
+      const GrainSize   own_size   = a.size[m];
+      const double      own_mass   = a.mass[m];
       const V           alpha      = all(c.viscosity_alpha_c);
       V                 f_x{}, f_y{}, damped{}, pressed{};
       for (unsigned int k = a.start[n]; k < a.start[n + 1]; k += lanes)
@@ -65,8 +67,10 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           // Viscosity (T3-44, sign corrected) of whatever approaches.
           const V vr = smaller(v_x * r_x + v_y * r_y, V{});
           const V mu = c.h * vr / (r2 + 0.01 * c.h * c.h);
-          const V q  = c.mass * ((c.particle_area * weight) * mu *
-                                (c.viscosity_beta * mu - alpha));
+          V       diameter, reference_area;
+          gather_pairs(neighbours_in(a.size, j), diameter, reference_area);
+          const V q = own_mass * ((reference_area * weight) * mu *
+                                  (c.viscosity_beta * mu - alpha));
           damped -= q * vr;
 
           // V_i V_j (sigma_i + sigma_j) grad W between grains;
@@ -76,9 +80,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
                       (own_area * (area > 0. ? area : -area));
 
           const V gap =
-              smaller(r - smaller(gather(neighbours_in(a.diameter, j)),
-                                  all(a.diameter[m])),
-                      V{});
+              smaller(r - smaller(diameter, all(own_size.diameter)), V{});
           const V radial = c.contact_stiffness * gap * inverse_r - q;
           pressed += gap * gap;
 

@@ -170,7 +170,8 @@ namespace Morsel::SPH
     // State of the members, gathered once per step for all of their pairs.
     dealii::AlignedVector<GrainMotion> motion;
     dealii::AlignedVector<GrainStress> member_stress;
-    dealii::AlignedVector<double>      area, diameter;
+    dealii::AlignedVector<GrainSize>   size;
+    dealii::AlignedVector<double>      area, mass;
   };
 } // namespace Morsel::SPH
 

@@ -15,19 +15,22 @@ namespace Morsel::SPH
     shepard,         ///< T3-35: over sum_j V_j W_ij
     per_axis,        ///< Johnson and Beissel 1996, the thesis's NSPH
     gradient_matrix, ///< Randles and Libersky 1996: exact for linear fields
+    conforming,      ///< not corrected but averaged over Voronoi cells, see
+                     ///< conforming_gradient()
   };
 
   /// The names in parameter files, as a pattern.
   constexpr const char *normalisation_names =
-      "none|Shepard|per axis|gradient matrix";
+      "auto|none|Shepard|per axis|gradient matrix|conforming";
 
   inline Normalisation
   normalisation_named(const std::string &name)
   {
-    return name == "none"       ? Normalisation::none
-           : name == "Shepard"  ? Normalisation::shepard
-           : name == "per axis" ? Normalisation::per_axis
-                                : Normalisation::gradient_matrix;
+    return name == "none"         ? Normalisation::none
+           : name == "Shepard"    ? Normalisation::shepard
+           : name == "per axis"   ? Normalisation::per_axis
+           : name == "conforming" ? Normalisation::conforming
+                                  : Normalisation::gradient_matrix;
   }
 
 

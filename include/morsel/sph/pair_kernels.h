@@ -6,7 +6,8 @@
 
 namespace Morsel::SPH
 {
-  /// What the second loop gathers: P B - k_hg H / 2 [Pa].
+  /// What the second loop gathers [Pa]: P B - k_hg H / 2; in the conforming
+  /// form P, and beside it P R^T C - k_hg H_fit / 2.
   struct alignas(32) PairStress
   {
     double xx, xy, yx, yy;
@@ -41,6 +42,14 @@ namespace Morsel::SPH
     char                         *crushed;
     double                       *strongest; ///< of each group
     const Symmetric2 *fit; ///< least-squares matrix where shape is another one
+    const double     *mass;
+
+    // Of the conforming gradient, per pair and per particle.
+    const double             *own_x, *own_y;   ///< G_ij
+    const double             *back_x, *back_y; ///< V_j/V_i G_ji
+    const double             *damping;         ///< weight of viscosity
+    const Materials::Tensor2 *deficit;
+    PairStress               *fit_stress;
   };
 
 
@@ -48,7 +57,7 @@ namespace Morsel::SPH
   struct BondedConstants
   {
     double mu, bulk; ///< [Pa]
-    double density, mass;
+    double density;
     double uniform_hourglass; ///< where no particle can soften [Pa]
     double viscosity_alpha_c; ///< alpha times the wave speed [m/s]
     double viscosity_beta, smoothing_length;
@@ -83,6 +92,14 @@ namespace Morsel::SPH
   };
 
 
+  /// What does not change of a particle of that list.
+  struct GrainSize
+  {
+    double diameter; ///< of contact [m]
+    double area;     ///< in the reference configuration [m^2]
+  };
+
+
   /// The pairs with a grain of a few rows; rows are padded to whole groups by
   /// a far dummy.
   struct GrainArrays
@@ -92,17 +109,18 @@ namespace Morsel::SPH
     const char         *is_grain; ///< of every member
     unsigned int        n_rows, first_row;
     const GrainMotion  *motion;
-    const GrainStress  *stress;   ///< forces alone
-    const double       *diameter; ///< forces alone [m]
-    const double       *area;     ///< rates alone [m^2]
+    const GrainStress  *stress; ///< forces alone
+    const GrainSize    *size;   ///< forces alone
+    const double       *mass;   ///< forces alone [kg]
+    const double       *area;   ///< rates alone: present one [m^2]
   };
 
 
   struct GrainConstants
   {
     double h, normalisation, support_square;
-    double mass, thickness; ///< of one particle [kg], of the plane [m]
-    double particle_area;   ///< in the reference lattice [m^2]
+    double thickness;      ///< of the plane [m]
+    double contact_square; ///< no contact diameter exceeds its root [m^2]
     double viscosity_alpha_c, viscosity_beta, contact_stiffness;
   };
 
@@ -137,8 +155,13 @@ namespace Morsel::SPH
     /// [linear law]: undamaged, with a gradient that is not the
     /// least-squares fit.
     Strain strain_own_fit[2];
+    /// [linear law][no damage, softened deviator, softened principal]: of the
+    /// conforming gradient.
+    Strain strain_conforming[2][3];
     /// [viscosity][hourglass stiffness that varies].
     Force force[2][2];
+    /// The same with the conforming gradient.
+    Force force_conforming[2][2];
     /// [driver]: of each particle's own stress with the tensile cut-off.
     Strain own_driver[3];
     /// [driver]: of the average over the neighbours, for one group.

@@ -13,11 +13,17 @@ namespace Morsel::SPH
   bonded_arrays(Particles &particles, const Bonds &bonds);
 
 
-  /// H_i = (sum_j a_ij u_ij (x) X_ij) B_i [1].
+  /// H_i at the present displacements [1], as the kernels form it.
   Materials::Tensor2
   displacement_gradient(const Particles &particles,
                         const Bonds     &bonds,
                         unsigned int     i);
+
+  /// The same of the present velocities: dH_i/dt [1/s].
+  Materials::Tensor2
+  rate_of_gradient(const Particles &particles,
+                   const Bonds     &bonds,
+                   unsigned int     i);
 
   /// Elastic response of particle @p i at its present gradient.
   Materials::ElasticResponse

@@ -11,7 +11,7 @@ namespace Morsel::SPH
   struct SolidParameters
   {
     std::string formulation   = "total Lagrangian";
-    std::string normalisation = "gradient matrix";
+    std::string normalisation = "auto";
     std::string kernel        = "cubic B-spline";
     /// Smoothing length over particle spacing, h/dp [1].
     double smoothing_ratio = 1.3;

@@ -7,6 +7,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace Morsel::SPH
@@ -18,8 +20,10 @@ namespace Morsel::SPH
     unsigned int n_owned = 0;
     unsigned int n_local = 0;
     double       spacing = 0.; ///< dp [m]
-    double       volume  = 0.; ///< V0 of one particle [m^3]
-    double       mass    = 0.; ///< of one particle [kg]
+    double       depth   = 0.; ///< out of plane [m]
+
+    std::vector<double> area; ///< of each in the reference plane [m^2]
+    std::vector<double> mass; ///< [kg]
 
     std::vector<dealii::Point<2>>   reference; ///< X [m]
     std::vector<unsigned long long> id;        ///< global index
@@ -31,11 +35,17 @@ namespace Morsel::SPH
     std::vector<Vector2> acceleration;  ///< [m/s^2], owned
 
     std::vector<Materials::Tensor2> gradient; ///< H = F - I [1], owned
-    std::vector<Symmetric2>         shape;    ///< B [1], owned
+    /// B [1], owned; not allocated with the conforming gradient.
+    std::vector<Symmetric2> shape;
     /// (sum_j a_ij X_ij (x) X_ij)^-1 [1], owned; allocated only where the shape
     /// is another matrix.
     std::vector<Symmetric2> fit;
-    std::vector<PairStress> pair_stress;
+    /// R = I - sum_j X_ij (x) G_ij [1], owned: what cut bonds took of the
+    /// conforming gradient; allocated only for a solid that can fail.
+    std::vector<Materials::Tensor2> deficit;
+    std::vector<PairStress>         pair_stress;
+    /// What the conforming form gathers besides, see bonded_kernels.h.
+    std::vector<PairStress> fit_stress;
     std::vector<double>     hourglass; ///< alpha E (1 - D) [Pa]
 
     /// Energy turned into heat by artificial viscosity so far [J], owned;
@@ -59,6 +69,32 @@ namespace Morsel::SPH
     n_groups() const
     {
       return (n_owned + group_size - 1) / group_size;
+    }
+
+    /// V_0 [m^3].
+    double
+    volume(const unsigned int i) const
+    {
+      return area[i] * depth;
+    }
+
+    double
+    least_mass() const
+    {
+      return *std::min_element(mass.begin(), mass.end());
+    }
+
+    /// Reference areas [m^2] of all particles, and what follows from them.
+    void
+    set_areas(std::vector<double> areas,
+              const double        thickness,
+              const double        density)
+    {
+      area  = std::move(areas);
+      depth = thickness;
+      mass.resize(area.size());
+      for (unsigned int i = 0; i < mass.size(); ++i)
+        mass[i] = density * volume(i);
     }
 
     /// Sets the velocities at time 0 [m/s], from the reference positions.

@@ -7,6 +7,7 @@
 #include <morsel/sph/deformable_body.h>
 #include <morsel/sph/granular.h>
 #include <morsel/sph/host.h>
+#include <morsel/sph/leapfrog.h>
 #include <morsel/sph/normalisation.h>
 #include <morsel/sph/pair_loops.h>
 #include <morsel/sph/particles.h>
@@ -15,8 +16,8 @@
 
 namespace Morsel::SPH
 {
-  /// A body of particles: total Lagrangian, normalised by the gradient
-  /// matrix (or as the scene asks) in strain and force, with damage and
+  /// A body of particles: total Lagrangian, its gradients normalised or
+  /// conforming as the scene asks, alike in strain and force, with damage and
   /// granular response where the scene asks for them.
   ///
   /// Call order of a step: compute_accelerations(), add_grain_forces(),
@@ -26,7 +27,8 @@ namespace Morsel::SPH
   class Solid final : public DeformableBody
   {
   public:
-    /// Fills the body's shape on the ranks of @p communicator.
+    /// Fills the body's shape on the ranks of @p communicator. Particles that
+    /// do not see each other past the body's cracks have no bond.
     /// @throws InputError for effects that one rank alone can simulate.
     Solid(const Scene::ParticleBody &body,
           const Scene::Scene        &scene,
@@ -152,7 +154,14 @@ namespace Morsel::SPH
     fill(const Scene::ParticleBody &body, unsigned int seed);
 
     void
+    allocate(const Scene::ParticleBody &body);
+
+    void
     normalise(const Scene::ParticleBody &body);
+
+    /// Of the undeformed body.
+    double
+    measured_highest_frequency();
 
     void
     choose_loops(const Scene::ParticleBody &body);
@@ -173,7 +182,8 @@ namespace Morsel::SPH
     Particles       particles;
     Bonds           bonds;
     bool            viscosity;
-    bool            started = false;
+    Leapfrog        leapfrog;
+    double          highest_frequency = 0.; ///< its square [1/s^2]
 
     BondedConstants     constants;
     PairKernels::Strain strain_loop;

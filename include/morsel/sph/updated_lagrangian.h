@@ -3,6 +3,7 @@
 
 #include <morsel/scene/scene.h>
 #include <morsel/sph/deformable_body.h>
+#include <morsel/sph/leapfrog.h>
 #include <morsel/sph/updated_loops.h>
 #include <morsel/sph/visibility.h>
 
@@ -128,9 +129,10 @@ namespace Morsel::SPH
     UpdatedConstants            constants;
 
     Particles particles;
-    bool      started = false;
+    Leapfrog  leapfrog;
 
     std::vector<double>                       density, area;
+    std::vector<double>                       mass_per_depth; ///< [kg/m]
     std::vector<Materials::PlaneStrainStress> sigma;
     std::vector<double>                       stress_work;     ///< [J]
     std::vector<double>                       artificial_heat; ///< [J]

@@ -17,8 +17,6 @@ namespace Morsel::SPH
     KernelKind    kernel;
     Normalisation normalisation;
     double        h;                 ///< smoothing length [m]
-    double        mass_per_depth;    ///< of one particle [kg/m]
-    double        mass;              ///< of one particle [kg]
     double        viscosity_alpha_c; ///< alpha times the wave speed [m/s]
     double        viscosity_beta;
     double        closeness_scale; ///< 1/W(dp) [m^2]
@@ -32,8 +30,10 @@ namespace Morsel::SPH
   struct UpdatedArrays
   {
     const NeighbourList *neighbours;
-    const Motion        *place; ///< position and velocity at one time
-    const double        *area;  ///< V_j per depth [m^2]
+    const Motion        *place;          ///< position and velocity at one time
+    const double        *area;           ///< V_j per depth [m^2]
+    const double        *mass;           ///< [kg]
+    const double        *mass_per_depth; ///< [kg/m]
     const double        *density;
 
     // Filled by correct_geometry(), read by sum_forces().

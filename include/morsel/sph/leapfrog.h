@@ -1,0 +1,54 @@
+#ifndef morsel_sph_leapfrog_h
+#define morsel_sph_leapfrog_h
+
+#include <morsel/sph/particles.h>
+
+namespace Morsel::SPH
+{
+  /// Leapfrog in time (T3-28 to T3-31 corrected): velocities half a step
+  /// ahead of displacements, from velocities and displacements at time 0.
+  class Leapfrog
+  {
+  public:
+    /// v_{n+1/2} = v_{n-1/2} + a_n dt (half a kick at first), u_{n+1} = u_n +
+    /// v_{n+1/2} dt, and the velocity predicted for the time of u_{n+1}.
+    void
+    advance(Particles &particles, double time_step);
+
+    /// From the velocities' last half step to the time of the displacements
+    /// [s].
+    double
+    lag(const double time_step) const
+    {
+      return started ? 0.5 * time_step : 0.;
+    }
+
+    /// Velocity at the time of the displacements and accelerations [m/s].
+    Vector2
+    velocity(const Particles   &particles,
+             const unsigned int i,
+             const double       time_step) const
+    {
+      const Vector2 &v = particles.half_velocity[i];
+      const Vector2 &a = particles.acceleration[i];
+      const double   t = lag(time_step);
+      return {v.x + t * a.x, v.y + t * a.y};
+    }
+
+  private:
+    bool started = false;
+  };
+
+
+  /// Energy of that velocity [J], of the particles of this rank.
+  double
+  kinetic_energy(const Leapfrog  &leapfrog,
+                 const Particles &particles,
+                 double           time_step);
+
+  /// Momentum at the last half step [kg m/s], of the particles of this rank.
+  Vector2
+  half_step_momentum(const Particles &particles);
+} // namespace Morsel::SPH
+
+#endif

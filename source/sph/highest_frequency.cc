@@ -1,0 +1,95 @@
+#include <morsel/sph/highest_frequency.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <random>
+
+namespace Morsel::SPH
+{
+  namespace
+  {
+    using Field = std::vector<Vector2>;
+
+    constexpr unsigned int most_steps = 60;
+
+    /// Residual of the eigenvector over the eigenvalue that is good enough.
+    constexpr double tolerance = 2e-3;
+
+
+    double
+    product(const Field &a, const Field &b, const std::vector<double> &mass)
+    {
+      double sum = 0.;
+      for (unsigned int i = 0; i < mass.size(); ++i)
+        sum += mass[i] * (a[i].x * b[i].x + a[i].y * b[i].y);
+      return sum;
+    }
+
+
+    void
+    add(const double factor, const Field &a, Field &sum)
+    {
+      for (unsigned int i = 0; i < a.size(); ++i)
+        {
+          sum[i].x += factor * a[i].x;
+          sum[i].y += factor * a[i].y;
+        }
+    }
+
+
+    void
+    scale(const double factor, Field &a)
+    {
+      for (Vector2 &v : a)
+        v = {factor * v.x, factor * v.y};
+    }
+  } // namespace
+
+
+  double
+  square_of_highest_frequency(
+      const std::function<void(const Field &, Field &)> &acceleration,
+      const std::vector<double>                         &mass)
+  {
+    Field        v(mass.size()), last(mass.size(), {0., 0.}), w(mass.size());
+    std::mt19937 generator(1);
+    for (Vector2 &x : v)
+      {
+        x.x = generator() / 4294967295. - 0.5;
+        x.y = generator() / 4294967295. - 0.5;
+      }
+    scale(1. / std::sqrt(product(v, v, mass)), v);
+
+    std::vector<double> diagonal, side;
+    double              bound = 0.;
+    while (diagonal.size() < most_steps)
+      {
+        acceleration(v, w);
+        scale(-1., w);
+        diagonal.push_back(product(v, w, mass));
+        add(-diagonal.back(), v, w);
+        if (!side.empty())
+          add(-side.back(), last, w);
+        const double beta = std::sqrt(product(w, w, mass));
+
+        const unsigned int                             n = diagonal.size();
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> tridiagonal;
+        const Eigen::VectorXd a = Eigen::Map<Eigen::VectorXd>(&diagonal[0], n);
+        const Eigen::VectorXd b =
+            Eigen::Map<Eigen::VectorXd>(side.data(), n - 1);
+        tridiagonal.computeFromTridiagonal(a, b);
+        const double largest = tridiagonal.eigenvalues()[n - 1];
+        const double residual =
+            beta * std::abs(tridiagonal.eigenvectors()(n - 1, n - 1));
+        bound = largest + residual;
+        if (residual <= tolerance * largest)
+          break;
+        side.push_back(beta);
+        last.swap(v);
+        v.swap(w);
+        scale(1. / beta, v);
+      }
+    return bound;
+  }
+} // namespace Morsel::SPH
