@@ -101,7 +101,8 @@ namespace Morsel::SPH
   {
     const Particles &p    = solid.get_particles();
     const auto       side = condition.side();
-    if (side == Condition::Side::none || condition.kind != "traction")
+    if (side == Condition::Side::none ||
+        (condition.kind != "traction" && condition.kind != "pressure"))
       {
         for (unsigned int i = 0; i < p.n_owned; ++i)
           if (concerns(p.reference[i]))
@@ -115,7 +116,8 @@ namespace Morsel::SPH
     // Surface vectors differ from zero up to two supports from the edge.
     const unsigned int d    = normal_axis(side);
     const double       sign = is_upper(side) ? 1. : -1.;
-    const double       middle =
+    normal[d]               = sign;
+    const double middle =
         0.5 * (body.shape.lower_corner[d] + body.shape.upper_corner[d]);
     const std::vector<Vector2> surface = solid.surface_vectors();
     double                     sum     = 0.;
@@ -199,7 +201,10 @@ namespace Morsel::SPH
                         (1. + f[1] * half_step);
           }
         else
-          l.force = {l.share * f[0], l.share * f[1]};
+          {
+            const dealii::Tensor<1, 2> load = condition.traction(f, normal);
+            l.force = {l.share * load[0], l.share * load[1]};
+          }
         a.x += l.force.x / p.mass;
         a.y += l.force.y / p.mass;
       }
