@@ -3,6 +3,7 @@
 
 #include <morsel/core/errors.h>
 #include <morsel/measure/particle_field.h>
+#include <morsel/sph/body_cracks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,12 +103,10 @@ namespace Morsel
         gauged.push_back({b,
                           std::make_unique<Measure::CrackGauge>(
                               body, *experiment.bodies()[b], scene.seed),
-                          {},
+                          tip_suffixes(SPH::cracks_of(body),
+                                       body,
+                                       scene.particle_bodies.size() > 1),
                           {}});
-        gauged.back().suffixes = tip_suffixes(gauged.back().gauge->get_tips());
-        if (scene.particle_bodies.size() > 1)
-          for (std::string &suffix : gauged.back().suffixes)
-            suffix += "_" + underscored(body.name);
       }
   }
 

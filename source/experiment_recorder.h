@@ -111,6 +111,15 @@ namespace Morsel
   underscored(std::string name);
 
 
+  /// Displacement [m] and stress [Pa] at an observed point, with what is
+  /// expected of them.
+  void
+  add_observation(Output::Summary                    &summary,
+                  const Scene::Observer              &observer,
+                  const Vector2                      &displacement,
+                  const Materials::PlaneStrainStress &stress);
+
+
   /// The effects of a scene without plates.
   std::vector<Output::Effect>
   effects_of_experiment(const Scene::Scene &scene);

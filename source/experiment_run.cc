@@ -2,9 +2,12 @@
 
 #include "experiment.h"
 #include "experiment_recorder.h"
+#include "static_run.h"
 
 #include <morsel/core/atomic_file.h>
+#include <morsel/core/command_line.h>
 #include <morsel/core/errors.h>
+#include <morsel/core/failure.h>
 #include <morsel/core/signals.h>
 
 #include <algorithm>
@@ -17,6 +20,13 @@ namespace Morsel
   void
   run_experiment(const Scene::Scene &scene, const RunOptions &options)
   {
+    if (scene.time.is_static())
+      {
+        run_static(scene, options);
+        return;
+      }
+    FirstRank().run(
+        [&] { prepare_output_directory(options.output_directory); });
     RunLog log(options.output_directory + "/run.log", options.quiet, true);
     write_atomically(options.output_directory + "/used.prm",
                      scene.used_parameters);
@@ -59,6 +69,8 @@ namespace Morsel
   std::string
   describe_experiment(const Scene::Scene &scene)
   {
+    if (scene.time.is_static())
+      return describe_static(scene);
     RunLog     log("", true, false);
     Experiment experiment(scene, log);
 

@@ -60,6 +60,40 @@ namespace Morsel
 
 
   void
+  add_observation(Output::Summary                    &summary,
+                  const Scene::Observer              &observer,
+                  const Vector2                      &u,
+                  const Materials::PlaneStrainStress &s)
+  {
+    const std::string name    = "_" + underscored(observer.name);
+    const auto        known_u = number_list(observer.expected_displacement, 2);
+    const auto        known_s = number_list(observer.expected_stress, 3);
+    const auto        add     = [&](const std::string         &what,
+                         const double               value,
+                         const std::string         &unit,
+                         const std::vector<double> &known,
+                         const unsigned int         component) {
+      // Relative to the largest component, since another one may be zero.
+      std::optional<double> reference, error;
+      if (!known.empty())
+        {
+          double scale = 0.;
+          for (const double x : known)
+            scale = std::max(scale, std::abs(x));
+          reference = known[component];
+          error     = (value - known[component]) / scale;
+        }
+      summary.add(what + name, value, unit, "at the end", reference, error);
+    };
+    add("displacement_x", u.x, "m", known_u, 0);
+    add("displacement_y", u.y, "m", known_u, 1);
+    add("stress_xx", s.xx, "Pa", known_s, 0);
+    add("stress_yy", s.yy, "Pa", known_s, 1);
+    add("stress_xy", s.xy, "Pa", known_s, 2);
+  }
+
+
+  void
   ExperimentRecorder::summarise_observers()
   {
     for (unsigned int k = 0; k < observed.size(); ++k)
@@ -67,33 +101,10 @@ namespace Morsel
         const Scene::Observer &o    = scene.observers[k];
         const auto            &body = *experiment.bodies()[observed[k].body];
         const std::string      name = "_" + underscored(o.name);
-        const auto known_u          = number_list(o.expected_displacement, 2);
-        const auto known_s          = number_list(o.expected_stress, 3);
-        const auto add              = [&](const std::string         &what,
-                             const double               value,
-                             const std::string         &unit,
-                             const std::string         &meaning,
-                             const std::vector<double> &known,
-                             const unsigned int         component) {
-          // Relative to the largest component, since another one may be zero.
-          std::optional<double> reference, error;
-          if (!known.empty())
-            {
-              double scale = 0.;
-              for (const double x : known)
-                scale = std::max(scale, std::abs(x));
-              reference = known[component];
-              error     = (value - known[component]) / scale;
-            }
-          summary.add(what + name, value, unit, meaning, reference, error);
-        };
-        const Vector2 u = observed[k].probe.displacement(body.get_particles());
-        add("displacement_x", u.x, "m", "at the end", known_u, 0);
-        add("displacement_y", u.y, "m", "at the end", known_u, 1);
-        const auto s = observed[k].probe.stress(body);
-        add("stress_xx", s.xx, "Pa", "at the end", known_s, 0);
-        add("stress_yy", s.yy, "Pa", "at the end", known_s, 1);
-        add("stress_xy", s.xy, "Pa", "at the end", known_s, 2);
+        add_observation(summary,
+                        o,
+                        observed[k].probe.displacement(body.get_particles()),
+                        observed[k].probe.stress(body));
         if (o.frequency == "none")
           continue;
         summary.add("frequency" + name,
@@ -113,19 +124,8 @@ namespace Morsel
   ExperimentRecorder::summarise_cracks()
   {
     for (const Gauged &g : gauged)
-      {
-        const Fracture::BodyCracks &expected =
-            scene.particle_bodies[g.body].cracks;
-        for (unsigned int t = 0; t < g.tips.size(); ++t)
-          {
-            add_stress_intensity(summary,
-                                 g.tips[t],
-                                 g.suffixes[t],
-                                 {expected.expected_I, expected.expected_II});
-            if (!g.tips[t].remark.empty())
-              log.warning(g.tips[t].remark);
-          }
-      }
+      add_tips_of_body(
+          summary, log, scene.particle_bodies[g.body], g.tips, g.suffixes);
   }
 
 

@@ -81,7 +81,6 @@ namespace
         return;
       }
 
-    first_rank.run([&] { prepare_output_directory(options.output_directory); });
     catch_signals();
     run_simulation(scene, options);
   }

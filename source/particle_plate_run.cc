@@ -1,6 +1,7 @@
 #include "particle_plate_run.h"
 
 #include "plate_summary.h"
+#include "run_summary.h"
 
 #include <morsel/core/atomic_file.h>
 #include <morsel/core/command_line.h>
@@ -76,25 +77,7 @@ namespace Morsel
           results.n_neighbours,
           "1",
           "mean number in the discrete gradient");
-      add("dof_count", solve.n_dofs, "1", "unknowns");
-      add("equilibrium_residual",
-          solve.residual,
-          "1",
-          "forces out of balance over tractions and reactions");
-      add("support_gap",
-          solve.support_gap,
-          "1",
-          "largest error of a facet's prescribed mean displacement over the "
-          "largest displacement");
-      add("solver_iterations",
-          solve.n_iterations,
-          "1",
-          "of conjugate gradients, in all steps of the multipliers");
-      add("multiplier_steps", solve.n_multiplier_steps, "1", "of the supports");
-      add("condition_number",
-          solve.condition_number,
-          "1",
-          "of the preconditioned stiffness, by Lanczos");
+      add_static_report(summary, solve);
       add("wall_time_loop",
           results.cloud_time + results.operator_time + solve.setup_time +
               solve.solution_time + results.tip_time,

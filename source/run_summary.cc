@@ -26,6 +26,31 @@ namespace Morsel
 
 
   void
+  add_static_report(Output::Summary &summary, const SPH::StaticReport &report)
+  {
+    const auto add =
+        [&](const char *name, const double value, const char *meaning) {
+          summary.add(name, value, "1", meaning);
+        };
+    add("dof_count", report.n_dofs, "unknowns");
+    add("equilibrium_residual",
+        report.residual,
+        "forces out of balance over loads and reactions");
+    add("support_gap",
+        report.support_gap,
+        "largest error of a facet's prescribed mean displacement over the "
+        "largest displacement");
+    add("solver_iterations",
+        report.n_iterations,
+        "of conjugate gradients, in all steps of the multipliers");
+    add("multiplier_steps", report.n_multiplier_steps, "of the supports");
+    add("condition_number",
+        report.condition_number,
+        "of the preconditioned stiffness, by Lanczos");
+  }
+
+
+  void
   add_provenance(Output::Summary   &summary,
                  const std::string &title,
                  const std::string &scene,

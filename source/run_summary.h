@@ -2,6 +2,7 @@
 #define morsel_run_summary_h
 
 #include <morsel/output/summary.h>
+#include <morsel/sph/static_solid.h>
 
 #include <mpi.h>
 
@@ -23,6 +24,11 @@ namespace Morsel
   /// Counts, steps, wall times and particle-steps per second.
   void
   add_loop_costs(Output::Summary &summary, const LoopCosts &costs);
+
+
+  /// Unknowns, iterations and how converged a static solution is.
+  void
+  add_static_report(Output::Summary &summary, const SPH::StaticReport &report);
 
 
   /// Title, versions, hash of the parameters, ranks, threads, peak memory;

@@ -3,7 +3,9 @@
 #include "recorder.h"
 
 #include <morsel/core/atomic_file.h>
+#include <morsel/core/command_line.h>
 #include <morsel/core/errors.h>
+#include <morsel/core/failure.h>
 #include <morsel/core/signals.h>
 #include <morsel/simulation.h>
 
@@ -49,6 +51,8 @@ namespace Morsel
         run_experiment(scene, options);
         return;
       }
+    const FirstRank writer;
+    writer.run([&] { prepare_output_directory(options.output_directory); });
     const MPI_Comm communicator = MPI_COMM_WORLD;
     const bool     first_rank =
         dealii::Utilities::MPI::this_mpi_process(communicator) == 0;

@@ -1,5 +1,7 @@
 #include "tip_summary.h"
 
+#include "experiment_recorder.h"
+
 #include <optional>
 
 namespace Morsel
@@ -53,5 +55,37 @@ namespace Morsel
                 stress_intensity_unit,
                 "K_II by interaction integral, mean over the rings",
                 reference_of(references.mode_II, result.tip));
+  }
+
+
+  std::vector<std::string>
+  tip_suffixes(const std::vector<Fracture::Crack> &cracks,
+               const Scene::ParticleBody          &body,
+               const bool                          named)
+  {
+    auto suffixes = tip_suffixes(Fracture::collect_tips(cracks));
+    if (named)
+      for (std::string &suffix : suffixes)
+        suffix += "_" + underscored(body.name);
+    return suffixes;
+  }
+
+
+  void
+  add_tips_of_body(Output::Summary                        &summary,
+                   RunLog                                 &log,
+                   const Scene::ParticleBody              &body,
+                   const std::vector<Fracture::TipResult> &results,
+                   const std::vector<std::string>         &suffixes)
+  {
+    for (unsigned int t = 0; t < results.size(); ++t)
+      {
+        add_stress_intensity(summary,
+                             results[t],
+                             suffixes[t],
+                             {body.cracks.expected_I, body.cracks.expected_II});
+        if (!results[t].remark.empty())
+          log.warning(results[t].remark);
+      }
   }
 } // namespace Morsel

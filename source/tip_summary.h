@@ -1,8 +1,10 @@
 #ifndef morsel_source_tip_summary_h
 #define morsel_source_tip_summary_h
 
+#include <morsel/core/log.h>
 #include <morsel/fracture/tip_result.h>
 #include <morsel/output/summary.h>
+#include <morsel/scene/scene.h>
 
 #include <string>
 #include <vector>
@@ -18,6 +20,14 @@ namespace Morsel
   tip_suffixes(const std::vector<Fracture::CrackTip> &tips);
 
 
+  /// The same for the cracks of a body.
+  /// @param named whether the body's name ends the suffixes
+  std::vector<std::string>
+  tip_suffixes(const std::vector<Fracture::Crack> &cracks,
+               const Scene::ParticleBody          &body,
+               const bool                          named);
+
+
   /// Expected K by tip [Pa sqrt(m)]; 0 or missing: none.
   struct TipReferences
   {
@@ -31,6 +41,15 @@ namespace Morsel
                        const Fracture::TipResult &result,
                        const std::string         &suffix,
                        const TipReferences       &references);
+
+
+  /// The same for all tips of a body; their remarks go to the log.
+  void
+  add_tips_of_body(Output::Summary                        &summary,
+                   RunLog                                 &log,
+                   const Scene::ParticleBody              &body,
+                   const std::vector<Fracture::TipResult> &results,
+                   const std::vector<std::string>         &suffixes);
 } // namespace Morsel
 
 #endif

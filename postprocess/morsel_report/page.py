@@ -6,7 +6,7 @@ import os
 
 import matplotlib.pyplot as plt
 
-from . import experiment_story, food_story, plate_story, style
+from . import experiment_story, food_story, plate_story, static_story, style
 from .tables import effects_table, provenance, results_table
 
 STYLE = """
@@ -63,6 +63,8 @@ def story_of(run):
     """
     if run.is_plate():
         return plate_story
+    if run.is_static():
+        return static_story
     return experiment_story if run.is_experiment() else food_story
 
 

@@ -131,6 +131,7 @@ class Run:
             elif frames:
                 self.plates = frames
         self._read_plate()
+        self._read_static_bodies()
         if not self.summary and not self.history:
             raise NoRun(
                 f"The folder '{folder}' holds neither summary.json nor "
@@ -164,6 +165,13 @@ class Run:
         if self.is_plate():
             self._note_what_a_plate_misses()
             return
+        if self.is_static():
+            if not self.static_bodies:
+                self.notes.append(
+                    "solution/ holds no cells that can be read: there are no "
+                    "pictures of the body."
+                )
+            return
         if not self.history:
             self.notes.append(
                 "history.csv is missing: there are no curves over time."
@@ -192,6 +200,10 @@ class Run:
                 or any(n.startswith("stress_intensity_")
                        for n in self.results()))
 
+    def is_static(self):
+        """Whether particle bodies were brought into static equilibrium."""
+        return self.text("kind") == "static equilibrium"
+
     def is_experiment(self):
         """Whether particle bodies were loaded by other things than plates."""
         return "minimum_spacing" in self.history and (
@@ -210,6 +222,17 @@ class Run:
             self.tips.append(Tip(int(number), here))
         self.opening, _ = read_table(self.folder / "crack_opening.csv")
         self.tip_stress, _ = read_table(self.folder / "tip_stress.csv")
+
+    def _read_static_bodies(self):
+        """{name: (cells, outline)} of the bodies in equilibrium."""
+        self.static_bodies = {}
+        solution = self.folder / "solution"
+        for file in sorted(solution.glob("*_cells.vtu")):
+            name = file.stem[:-len("_cells")]
+            cells = read_pieces(solution, file.stem)
+            if cells is not None:
+                self.static_bodies[name] = (
+                    cells, read_pieces(solution, name + "_outline"))
 
     def results(self):
         """The scalar results, {name: entry with "value" and "unit"}."""

@@ -65,6 +65,8 @@ namespace Morsel::Fracture
   double
   CrackedFrame::depth_inside(const Point<2> &p) const
   {
+    if (depth)
+      return depth(p);
     return std::min(
         {p[0] - lower[0], upper[0] - p[0], p[1] - lower[1], upper[1] - p[1]});
   }

@@ -46,6 +46,10 @@ namespace Morsel::Materials
         "compression) or 'linear' (small strain, for problems with a linear "
         "closed form).",
         Patterns::Selection("neo-Hookean|linear"));
+    prm.add_parameter("Plane stress",
+                      plane_stress,
+                      "A thin plate instead of plane strain; static solutions "
+                      "alone take it.");
   }
 
 

@@ -19,10 +19,10 @@ namespace Morsel::Measure
       , material(body.get_material().youngs_modulus,
                  body.get_material().poissons_ratio,
                  false)
-      , cracks(SPH::cracks_of(scene, seed))
+      , cracks(SPH::cracks_of(scene))
       , tips(Fracture::collect_tips(cracks))
       , cloud(SPH::body_cloud(scene, seed))
-      , visibility(cracks,
+      , visibility(SPH::barriers_of(scene, cloud.points),
                    SPH::TipHandling::visibility,
                    2. * smoothing_ratio * cloud.spacing)
       , shape(

@@ -69,7 +69,7 @@ namespace Morsel::Scene
                             number_text(4. * body.solid.smoothing_ratio) +
                             " of them, so take at least 20, better 50.");
 
-      const double count = 1. * body.particles_across * body.particles_high();
+      const double count = body.shape.area() / (body.spacing * body.spacing);
       if (count > 2e7)
         findings.mistake(path,
                          "the body would have " + number_text(count) +
@@ -83,7 +83,7 @@ namespace Morsel::Scene
 
       const double misfit = std::abs(
           body.particles_high() * body.spacing / body.shape.extent(1) - 1.);
-      if (misfit > 1e-6)
+      if (body.is_plain_lattice() && misfit > 1e-6)
         findings.advise(path,
                         "the height is not a multiple of the spacing " +
                             number_text(body.spacing) + " m; the lattice is " +
@@ -92,7 +92,9 @@ namespace Morsel::Scene
 
 
     void
-    check_material(const ParticleBody &body, Findings &findings)
+    check_material(const ParticleBody &body,
+                   const Scene        &scene,
+                   Findings           &findings)
     {
       const std::string section = "Body " + body.name + "/Material/";
       const Materials::MaterialParameters &material = body.material;
@@ -100,7 +102,15 @@ namespace Morsel::Scene
           material.name == "inline"
                                  ? " Give it, or name a material of the catalogue."
                                  : "";
-      if (!(material.density > 0.))
+      // In equilibrium only an acceleration asks for the mass.
+      const bool has_mass =
+          !scene.time.is_static() ||
+          std::any_of(scene.conditions.begin(),
+                      scene.conditions.end(),
+                      [](const Condition &condition) {
+                        return condition.kind == "acceleration";
+                      });
+      if (has_mass && !(material.density > 0.))
         findings.mistake(section + "Density",
                          "the density must be positive, in kg/m^3." +
                              inline_advice);
@@ -363,13 +373,16 @@ namespace Morsel::Scene
     for (const ParticleBody &body : scene.particle_bodies)
       {
         check_particles(body, findings);
-        check_material(body, findings);
+        check_material(body, scene, findings);
       }
     // What follows divides by moduli, spacings and extents.
     if (findings.clean())
       {
+        check_solution(scene, findings);
         for (const ParticleBody &body : scene.particle_bodies)
           {
+            if (scene.time.is_static())
+              continue;
             check_numerics(body, scene, findings);
             check_formulation(body, scene, findings);
             check_contact(body, scene, findings);

@@ -63,6 +63,19 @@ namespace Morsel::Scene
     }
 
 
+    /// The names of some sides; of many the first ones.
+    std::string
+    sides_text(std::vector<std::string> sides)
+    {
+      constexpr unsigned int most = 8;
+      if (sides.size() <= most)
+        return quoted_list(sides);
+      const std::string last = sides.back();
+      sides.resize(most);
+      return quoted_list(sides) + " or one of the others up to '" + last + "'";
+    }
+
+
     void
     check_condition(const Condition &condition,
                     const Scene     &scene,
@@ -75,18 +88,26 @@ namespace Morsel::Scene
         return;
       check_expression(condition.value, section + "Value", findings);
 
-      const bool on_side = condition.side() != Condition::Side::none;
-      if ((condition.kind == "traction" || condition.kind == "roller") &&
-          !on_side)
+      const Outline outline = body->shape.outline();
+      const auto   &sides   = outline.get_side_names();
+      if (condition.on_side() &&
+          outline.side_named(condition.where) == sides.size())
         findings.mistake(section + "Where",
-                         "a " + condition.kind +
-                             " acts on a side; give 'left', 'right', 'bottom' "
-                             "or 'top'.");
+                         "'" + body->name + "' has no such side; give " +
+                             sides_text(sides) + ", 'box' or 'everywhere'." +
+                             did_you_mean(condition.where, sides));
+      if ((condition.kind == "traction" || condition.kind == "pressure" ||
+           condition.kind == "roller") &&
+          !condition.on_side())
+        findings.mistake(section + "Where",
+                         "a " + condition.kind + " acts on a side; give " +
+                             sides_text(sides) + ".");
       if (condition.where == "box" && !condition.has_box())
         findings.mistake(section + "Upper corner",
                          "the box has no extent; its upper corner must lie "
                          "above the lower one in x and y.");
-      if (condition.has_box())
+      // Other fillings are known only once they are made.
+      if (condition.has_box() && body->is_plain_lattice())
         {
           const auto points = body->positions(scene.seed);
           if (std::none_of(
@@ -109,7 +130,11 @@ namespace Morsel::Scene
       const std::string         section = "Observer " + observer.name + "/";
       const ParticleBody *const body =
           find_body(observer.body, section + "Body", scene, findings);
-      if (body != nullptr && !body->shape.contains(observer.point))
+      if (body == nullptr)
+        return;
+      const Outline outline = body->shape.outline();
+      if (!outline.contains(observer.point) &&
+          outline.distance(observer.point) > 0.1 * body->spacing)
         findings.mistake(section + "Point",
                          "it lies outside of the body '" + body->name + "'.");
       check_numbers(observer.expected_displacement,
@@ -146,6 +171,10 @@ namespace Morsel::Scene
         if (!body.initial_velocity_field.empty())
           check_expression(body.initial_velocity_field,
                            section + "Initial velocity field",
+                           findings);
+        if (!body.expected_displacement_field.empty())
+          check_expression(body.expected_displacement_field,
+                           section + "Expected displacement field",
                            findings);
         check_numbers(body.expected_velocity_gradient,
                       4,

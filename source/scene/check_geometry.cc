@@ -9,16 +9,40 @@ namespace Morsel::Scene
 {
   namespace
   {
+    /// What another kind of shape would take. Printed parameters give every
+    /// entry, so that what is left at its default says nothing.
+    void
+    check_entries(const ParticleBody &body, Findings &findings)
+    {
+      const BodyShape &shape = body.shape;
+      const struct
+      {
+        std::string key, kind;
+        bool        given;
+      } entries[] = {{"Loops", "polygon", !shape.loops.empty()},
+                     {"Side names", "polygon", !shape.side_names.empty()},
+                     {"Outer radius", "annulus", shape.outer_radius > 0.},
+                     {"Mesh file", "mesh", !shape.mesh_file.empty()}};
+      for (const auto &entry : entries)
+        if (entry.given && entry.kind != shape.kind)
+          findings.mistake("Body " + body.name + "/Shape/" + entry.key,
+                           "it belongs to the kind '" + entry.kind +
+                               "', but the shape's 'Kind' is '" + shape.kind +
+                               "'; leave it out, or change the kind.");
+    }
+
+
     void
     check_rectangle(const Rectangle   &shape,
                     const std::string &section,
+                    const std::string &entry,
                     Findings          &findings)
     {
       for (unsigned int d = 0; d < 2; ++d)
         {
           if (!(shape.extent(d) > 0.))
             {
-              findings.mistake(section + "/Upper corner",
+              findings.mistake(section + "/" + entry,
                                std::string("it must lie above the lower corner "
                                            "in ") +
                                    "xy"[d] + " (lower " +
@@ -28,7 +52,7 @@ namespace Morsel::Scene
               return;
             }
           if (shape.extent(d) > 10.)
-            findings.advise(section + "/Upper corner",
+            findings.advise(section + "/" + entry,
                             "the size is " + number_text(shape.extent(d)) +
                                 " m; lengths are in metres, 10 mm are 0.01.");
         }
@@ -86,16 +110,22 @@ namespace Morsel::Scene
       std::string      name;
       const Rectangle *shape;
       bool             rigid;
+      std::string      entry; ///< that says where it ends
     };
     std::vector<Solid> solids;
     for (const ParticleBody &body : scene.particle_bodies)
-      solids.push_back({body.name, &body.shape, false});
+      {
+        check_entries(body, findings);
+        solids.push_back(
+            {body.name, &body.shape, false, body.shape.main_entry()});
+      }
     for (const RigidBody &body : scene.rigid_bodies)
-      solids.push_back({body.name, &body.shape, true});
+      solids.push_back({body.name, &body.shape, true, "Upper corner"});
 
-    check_rectangle(scene.domain, "Domain", findings);
+    check_rectangle(scene.domain, "Domain", "Upper corner", findings);
     for (const Solid &solid : solids)
-      check_rectangle(*solid.shape, "Body " + solid.name + "/Shape", findings);
+      check_rectangle(
+          *solid.shape, "Body " + solid.name + "/Shape", solid.entry, findings);
     if (!findings.clean())
       return;
 
@@ -103,7 +133,8 @@ namespace Morsel::Scene
       {
         check_inside_domain(
             *solids[i].shape, solids[i].name, scene.domain, findings);
-        for (std::size_t j = 0; j < i; ++j)
+        // Bodies in static equilibrium know nothing of each other.
+        for (std::size_t j = 0; j < (scene.time.is_static() ? 0 : i); ++j)
           {
             const double common = overlap(*solids[i].shape, *solids[j].shape);
             if (common <= 1e-9 * scene.domain.extent(0))

@@ -38,6 +38,29 @@ namespace Morsel::Scene
 
 
     void
+    complete_shape(ParticleBody                      &body,
+                   const std::string                 &file_name,
+                   const std::vector<ParameterEntry> &entries)
+    {
+      const std::string path =
+          "Body " + body.name + "/Shape/" + body.shape.main_entry();
+      try
+        {
+          body.shape.complete(
+              body.particles_across,
+              std::filesystem::path(file_name).parent_path().string());
+        }
+      catch (const InputError &error)
+        {
+          const std::string where = last_place(entries, path);
+          throw InputError((where.empty() ? file_name : where) + ": '" + path +
+                           "' = '" + last_value(entries, path, "") +
+                           "': " + error.what() + ".");
+        }
+    }
+
+
+    void
     complete_material(Materials::MaterialParameters     &material,
                       const std::string                 &path,
                       const std::vector<ParameterEntry> &entries)
@@ -123,6 +146,8 @@ namespace Morsel::Scene
   {
     if (scene.name.empty())
       scene.name = std::filesystem::path(file_name).stem().string();
+    for (ParticleBody &body : scene.particle_bodies)
+      complete_shape(body, file_name, entries);
     if (last_place(entries, "Domain/Lower corner").empty() &&
         last_place(entries, "Domain/Upper corner").empty())
       scene.domain = box_around_bodies(scene);

@@ -14,9 +14,8 @@ namespace Morsel::Scene
     prm.add_parameter(
         "Where",
         where,
-        "A side of the body's shape ('left', 'right', 'bottom', "
-        "'top'), the particles in the 'box', or 'everywhere'.",
-        Patterns::Selection("left|right|bottom|top|box|everywhere"));
+        "A side of the body's shape (of a rectangle 'left', 'right', 'bottom' "
+        "or 'top'), the particles in the 'box', or 'everywhere'.");
     prm.add_parameter("Lower corner",
                       box.lower_corner,
                       "Of the box, 'x, y' in the reference configuration [m]; "
@@ -27,14 +26,18 @@ namespace Morsel::Scene
         "Kind",
         kind,
         "'clamp' (no motion), 'roller' (none across the side), 'velocity' "
-        "[m/s], 'traction' on a side [Pa], 'force' in all [N], 'acceleration' "
-        "[m/s^2], or 'damping' (a force -rate times momentum, Value = 'rate; "
-        "rate' [1/s]).",
-        Patterns::Selection(
-            "clamp|roller|velocity|traction|force|acceleration|damping"));
+        "[m/s], 'displacement' [m], 'traction' on a side [Pa], 'pressure' on a "
+        "side (Value = 'p; s': p into the body, s along the side with the body "
+        "on the left [Pa]), 'force' in all [N], 'acceleration' [m/s^2], or "
+        "'damping' (a force -rate times momentum, Value = 'rate; rate' [1/s]). "
+        "Transients take velocities and dampings, static solutions "
+        "displacements.",
+        Patterns::Selection("clamp|roller|velocity|displacement|traction|"
+                            "pressure|force|acceleration|damping"));
     prm.add_parameter("Components",
                       components,
-                      "Which components of a velocity are prescribed.",
+                      "Which components of a velocity or displacement are "
+                      "prescribed.",
                       Patterns::Selection("x and y|x|y"));
     prm.add_parameter("Value",
                       value,
@@ -54,6 +57,17 @@ namespace Morsel::Scene
   }
 
 
+  dealii::Tensor<1, 2>
+  Condition::traction(const dealii::Tensor<1, 2> &given,
+                      const dealii::Tensor<1, 2> &normal) const
+  {
+    if (kind != "pressure")
+      return given;
+    const dealii::Tensor<1, 2> along({-normal[1], normal[0]});
+    return -given[0] * normal + given[1] * along;
+  }
+
+
   bool
   Condition::prescribes(const unsigned int d) const
   {
@@ -61,7 +75,7 @@ namespace Morsel::Scene
       return true;
     if (kind == "roller")
       return d == (side() == Side::left || side() == Side::right ? 0 : 1);
-    return kind == "velocity" &&
+    return (kind == "velocity" || kind == "displacement") &&
            (components == "x and y" || components == (d == 0 ? "x" : "y"));
   }
 

@@ -202,9 +202,13 @@ namespace Morsel::Scene
 
       for (const ParticleBody &body : scene.particle_bodies)
         {
-          // A copy, since setting an entry sets the bound member, too.
+          // Copies, since setting an entry sets the bound member, too.
           const Materials::MaterialParameters material = body.material;
+          const std::string                   mesh     = body.shape.mesh_file;
           prm.enter_subsection("Body " + body.name);
+          prm.enter_subsection("Shape");
+          prm.set("Mesh file", mesh);
+          prm.leave_subsection();
           prm.enter_subsection("Material");
           prm.set("Density", exact_text(material.density));
           prm.set("Young's modulus", exact_text(material.youngs_modulus));

@@ -34,8 +34,20 @@ namespace Morsel::Scene
         "Particles across",
         particles_across,
         "Number of particles along x; they stand on a square lattice, the "
-        "first and last half a spacing inside the edges [1].",
+        "first and last half a spacing inside the edges [1]. The spacing is "
+        "the shape's extent along x over it.",
         Patterns::Integer(0));
+    prm.add_parameter(
+        "Filling",
+        filling,
+        "'lattice', of which a shape that is no rectangle holds the particles "
+        "that have room in it; 'relaxed': rows along the boundary, the rest "
+        "evened out by Lloyd iterations.",
+        Patterns::Selection("lattice|relaxed"));
+    prm.add_parameter("Relaxations",
+                      relaxations,
+                      "Lloyd iterations of a relaxed filling, at most [1].",
+                      Patterns::Integer(0, 10000));
     prm.add_parameter("Scatter",
                       scatter,
                       "Largest displacement of a particle from its place in "
@@ -53,6 +65,11 @@ namespace Morsel::Scene
                       "Gradient 'xx, xy, yx, yy' of the velocity at time 0 "
                       "[1/s] with which the particles' own is compared; none "
                       "if empty.");
+    prm.add_parameter("Expected displacement field",
+                      expected_displacement_field,
+                      "Displacement of a static solution with which the "
+                      "particles' own is compared, as expressions 'f_x; f_y' "
+                      "of the place x, y [m] [m]; none if empty.");
     prm.leave_subsection();
 
     prm.enter_subsection("Cracks");
@@ -115,8 +132,8 @@ namespace Morsel::Scene
   {
     if (solid.normalisation != "auto")
       return solid.normalisation;
-    return scatter > 0. && !solid.is_updated() ? "conforming"
-                                               : "gradient matrix";
+    return is_even_lattice() || solid.is_updated() ? "gradient matrix"
+                                                   : "conforming";
   }
 
 
@@ -158,6 +175,12 @@ namespace Morsel::Scene
   void
   TimeParameters::declare(dealii::ParameterHandler &prm)
   {
+    prm.add_parameter(
+        "Solution",
+        solution,
+        "'transient': time steps; 'static': the equilibrium at small strain "
+        "under the conditions as they are at the end time, without plates.",
+        Patterns::Selection("transient|static"));
     prm.add_parameter("End time",
                       end_time,
                       "The run ends at this time at the latest [s].",

@@ -102,7 +102,8 @@ namespace Morsel::SPH
   {
     const Particles &p    = solid.get_particles();
     const auto       side = condition.side();
-    if (side == Condition::Side::none || condition.kind != "traction")
+    if (side == Condition::Side::none ||
+        (condition.kind != "traction" && condition.kind != "pressure"))
       {
         for (unsigned int i = 0; i < p.n_owned; ++i)
           if (concerns(p.reference[i]))
@@ -124,6 +125,7 @@ namespace Morsel::SPH
                  2. * Kernel(kernel_named(body.solid.kernel),
                              body.solid.smoothing_ratio * body.spacing)
                           .support());
+    normal[d]                          = sign;
     const std::vector<Vector2> surface = solid.surface_vectors();
     double                     sum     = 0.;
     for (unsigned int i = 0; i < p.n_owned; ++i)
@@ -207,7 +209,10 @@ namespace Morsel::SPH
                         (1. + f[1] * half_step);
           }
         else
-          l.force = {l.share * f[0], l.share * f[1]};
+          {
+            const dealii::Tensor<1, 2> load = condition.traction(f, normal);
+            l.force = {l.share * load[0], l.share * load[1]};
+          }
         a.x += l.force.x / mass;
         a.y += l.force.y / mass;
       }

@@ -4,24 +4,41 @@
 
 namespace Morsel::SPH
 {
+  using dealii::Point;
+
   std::vector<Fracture::Crack>
-  cracks_of(const Scene::ParticleBody &body, const unsigned int seed)
+  cracks_of(const Scene::ParticleBody &body)
   {
     if (body.cracks.paths.empty())
       return {};
-    const std::string entry  = "Body " + body.name + "/Cracks/Paths";
-    const auto        cracks = Fracture::cracks_in(
-        {"body '" + body.name + "'",
-                body.shape.lower_corner,
-                body.shape.upper_corner},
+    const std::string    entry   = "Body " + body.name + "/Cracks/Paths";
+    const Scene::Outline outline = body.shape.outline();
+    const auto           depth   = [&](const Point<2> &p) {
+      return (outline.contains(p) ? 1. : -1.) * outline.distance(p);
+    };
+    return Fracture::cracks_in(
+        {"body '" + body.name + "'", outline.lower(), outline.upper(), depth},
         Fracture::read_crack_paths(body.cracks.paths, entry),
         entry);
-    check_off_cracks(body.positions(seed),
-                     cracks,
+  }
+
+
+  std::vector<Fracture::Crack>
+  barriers_of(const Scene::ParticleBody   &body,
+              const std::vector<Point<2>> &points)
+  {
+    std::vector<Fracture::Crack> barriers = cracks_of(body);
+    check_off_cracks(points,
+                     barriers,
                      body.spacing,
                      "choose numbers of particles that put no row of body '" +
                          body.name +
                          "' there (even ones for a crack at mid height).");
-    return cracks;
+    const Scene::Outline outline = body.shape.outline();
+    if (!outline.is_convex())
+      for (const Scene::Outline::Edge &edge : outline.get_edges())
+        barriers.emplace_back(
+            std::vector<Point<2>>{edge.first, edge.second}, false, false);
+    return barriers;
   }
 } // namespace Morsel::SPH

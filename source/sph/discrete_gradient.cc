@@ -273,6 +273,45 @@ namespace Morsel::SPH
   }
 
 
+  namespace
+  {
+    /// Adds one facet to the trace on its side.
+    void
+    add_facet(const ShapeFunctions &shape,
+              const CellFacet      &facet,
+              BoundaryFacet        &trace,
+              ShapeValues          &values)
+    {
+      const double       length = facet.length();
+      const Tensor<1, 2> normal = facet.normal();
+      const Tensor<1, 2> moment = trace.length * trace.centre +
+                                  0.5 * length * (facet.first + facet.second);
+      trace.length += length;
+      trace.centre = Point<2>(moment / trace.length);
+      for (const Point<2> &x : gauss_points(facet))
+        {
+          shape.evaluate(shape.get_cloud().points[trace.particle], x, values);
+          for (unsigned int k = 0; k < values.index.size(); ++k)
+            {
+              const unsigned int place = std::find(trace.index.begin(),
+                                                   trace.index.end(),
+                                                   values.index[k]) -
+                                         trace.index.begin();
+              if (place == trace.index.size())
+                {
+                  trace.index.push_back(values.index[k]);
+                  trace.weight.push_back(0.);
+                  trace.flux.emplace_back();
+                }
+              const double w = 0.5 * length * values.value[k];
+              trace.weight[place] += w;
+              trace.flux[place] += w * normal;
+            }
+        }
+    }
+  } // namespace
+
+
   std::vector<BoundaryFacet>
   boundary_facets(const ShapeFunctions &shape)
   {
@@ -280,32 +319,27 @@ namespace Morsel::SPH
     std::vector<BoundaryFacet> result;
     ShapeValues                values;
     for (unsigned int i = 0; i < cloud.size(); ++i)
-      for (const CellFacet &facet : cloud.cells[i].facets)
-        if (facet.at_boundary())
+      {
+        const unsigned int before = result.size();
+        for (const CellFacet &facet : cloud.cells[i].facets)
           {
-            BoundaryFacet trace;
-            trace.side   = facet.side;
-            trace.length = facet.length();
-            for (const Point<2> &x : gauss_points(facet))
+            if (!facet.at_boundary())
+              continue;
+            auto trace = std::find_if(result.begin() + before,
+                                      result.end(),
+                                      [&](const BoundaryFacet &other) {
+                                        return other.side == facet.side;
+                                      });
+            if (trace == result.end())
               {
-                shape.evaluate(cloud.points[i], x, values);
-                for (unsigned int k = 0; k < values.index.size(); ++k)
-                  {
-                    const auto   place = std::find(trace.index.begin(),
-                                                 trace.index.end(),
-                                                 values.index[k]);
-                    const double w     = 0.5 * trace.length * values.value[k];
-                    if (place != trace.index.end())
-                      trace.weight[place - trace.index.begin()] += w;
-                    else
-                      {
-                        trace.index.push_back(values.index[k]);
-                        trace.weight.push_back(w);
-                      }
-                  }
+                result.emplace_back();
+                trace           = result.end() - 1;
+                trace->side     = facet.side;
+                trace->particle = i;
               }
-            result.push_back(trace);
+            add_facet(shape, facet, *trace, values);
           }
+      }
     return result;
   }
 } // namespace Morsel::SPH

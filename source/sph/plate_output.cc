@@ -45,20 +45,42 @@ namespace Morsel::SPH
                                 r.rings.back().outer_radius);
       return smallest;
     }
+
+    /// Each cell with points of its own.
+    VtuGrid
+    cells_grid(const Equilibrium &body)
+    {
+      VtuGrid      grid;
+      const Cloud &cloud = body.get_cloud();
+      for (unsigned int i = 0; i < cloud.size(); ++i)
+        {
+          const auto &facets = cloud.cells[i].facets;
+          for (const CellFacet &facet : facets)
+            add_sample(
+                grid,
+                facet.first,
+                body.get_field().sample_from(cloud.points[i], facet.first),
+                body.get_material());
+          grid.add_cell(VtuGrid::Shape::polygon, facets.size());
+          grid.cell_field("cell", 1).push_back(i);
+          grid.cell_field("area", 1).push_back(cloud.cells[i].area);
+        }
+      return grid;
+    }
   } // namespace
 
 
   std::string
-  particles_vtu(const PlateProblem &problem)
+  particles_vtu(const Equilibrium &body)
   {
     VtuGrid      grid;
-    const Cloud &cloud = problem.get_cloud();
+    const Cloud &cloud = body.get_cloud();
     for (unsigned int i = 0; i < cloud.size(); ++i)
       {
         add_sample(grid,
                    cloud.points[i],
-                   {problem.get_displacement()[i], problem.get_gradients()[i]},
-                   problem.get_material());
+                   {body.get_displacement()[i], body.get_gradients()[i]},
+                   body.get_material());
         grid.point_field("volume", 1).push_back(cloud.cells[i].area);
         grid.add_cell(VtuGrid::Shape::vertex, 1);
       }
@@ -67,26 +89,20 @@ namespace Morsel::SPH
 
 
   std::string
+  cells_vtu(const Equilibrium &body)
+  {
+    return cells_grid(body).text();
+  }
+
+
+  std::string
   cells_vtu(const PlateProblem &problem)
   {
-    VtuGrid      grid;
-    const Cloud &cloud = problem.get_cloud();
-    for (unsigned int i = 0; i < cloud.size(); ++i)
-      {
-        const auto &facets = cloud.cells[i].facets;
-        for (const CellFacet &facet : facets)
-          {
-            add_sample(
-                grid,
-                facet.first,
-                problem.get_field().sample_from(cloud.points[i], facet.first),
-                problem.get_material());
-            grid.point_field("distance_over_ring", 1)
-                .push_back(in_units_of_ring(problem, facet.first));
-          }
-        grid.add_cell(VtuGrid::Shape::polygon, facets.size());
-        grid.cell_field("cell", 1).push_back(i);
-      }
+    VtuGrid              grid     = cells_grid(problem);
+    std::vector<double> &distance = grid.point_field("distance_over_ring", 1);
+    for (const VoronoiCell &cell : problem.get_cloud().cells)
+      for (const CellFacet &facet : cell.facets)
+        distance.push_back(in_units_of_ring(problem, facet.first));
     return grid.text();
   }
 } // namespace Morsel::SPH

@@ -25,9 +25,13 @@ namespace Morsel::SPH
     }
 
 
-    Filling
-    filling_of(const PlateParameters &plate)
+    /// The cloud, and the time that it took.
+    Cloud
+    fill(const PlateParameters              &plate,
+         const std::vector<Fracture::Crack> &cracks,
+         double                             &seconds)
     {
+      Timer   timer;
       Filling filling;
       filling.lower         = plate.lower_corner;
       filling.upper         = plate.upper_corner;
@@ -36,7 +40,19 @@ namespace Morsel::SPH
       filling.fit_to_cracks = plate.fit_to_cracks;
       filling.scatter       = plate.scatter;
       filling.seed          = plate.seed;
-      return filling;
+      const Cloud cloud     = fill_rectangle(filling, cracks);
+      seconds               = timer.wall_time();
+      return cloud;
+    }
+
+
+    EquilibriumMethod
+    method_of(const PlateParameters &plate)
+    {
+      return {kernel_named(plate.kernel),
+              plate.smoothing_ratio,
+              plate.gradient != "matrix",
+              plate.hourglass};
     }
   } // namespace
 
@@ -65,26 +81,29 @@ namespace Morsel::SPH
 
   PlateProblem::PlateProblem(const PlateParameters              &parameters,
                              const std::vector<Fracture::Crack> &cracks)
-      : parameters(parameters)
-      , material(parameters.youngs_modulus,
-                 parameters.poissons_ratio,
-                 parameters.plane_stress)
+      : PlateProblem(parameters, cracks, 0.)
+  {}
+
+
+  PlateProblem::PlateProblem(const PlateParameters              &parameters,
+                             const std::vector<Fracture::Crack> &cracks,
+                             double                              cloud_time)
+      : Equilibrium(fill(parameters, cracks, cloud_time),
+                    Visibility(cracks,
+                               tip_handling_named(parameters.tip_handling),
+                               2. * parameters.smoothing_ratio *
+                                   particle_spacing(parameters)),
+                    method_of(parameters),
+                    Fracture::ElasticPlane(parameters.youngs_modulus,
+                                           parameters.poissons_ratio,
+                                           parameters.plane_stress),
+                    parameters.youngs_modulus)
+      , parameters(parameters)
       , cracks(cracks)
       , tips(Fracture::collect_tips(cracks))
-      , visibility(cracks,
-                   tip_handling_named(parameters.tip_handling),
-                   2. * parameters.smoothing_ratio *
-                       particle_spacing(parameters))
   {
-    Timer timer;
-    cloud = fill_rectangle(filling_of(parameters), cracks);
-    shape = std::make_unique<ShapeFunctions>(
-        cloud,
-        Kernel(kernel_named(parameters.kernel),
-               parameters.smoothing_ratio * cloud.spacing),
-        visibility);
-    results.n_particles = cloud.size();
-    results.cloud_time  = timer.wall_time();
+    results.n_particles = get_cloud().size();
+    results.cloud_time  = cloud_time;
   }
 
 
@@ -117,7 +136,7 @@ namespace Morsel::SPH
       }
     const auto pin = [&](const Point<2> &place, const unsigned int component) {
       ShapeValues values;
-      shape->evaluate(place, place, values);
+      get_shape().evaluate(place, place, values);
       solid.pin(values, component);
     };
     const Point<2> &low  = parameters.lower_corner;
@@ -133,40 +152,16 @@ namespace Morsel::SPH
   const PlateResults &
   PlateProblem::run()
   {
-    Timer                  timer;
-    const DiscreteGradient gradient = parameters.gradient == "matrix"
-                                          ? matrix_gradient(*shape)
-                                          : conforming_gradient(*shape);
-    const ResidualControl  control  = residual_control(
-        *shape, parameters.hourglass * parameters.youngs_modulus);
-    const auto boundary   = boundary_facets(*shape);
-    results.operator_time = timer.wall_time();
-    results.n_neighbours =
-        static_cast<double>(gradient.list.index.size()) / cloud.size();
+    solve([this](StaticSolid &solid) { apply_boundary_conditions(solid); },
+          results);
 
-    StaticSolid solid(*shape,
-                      gradient,
-                      control,
-                      boundary,
-                      material,
-                      parameters.youngs_modulus);
-    apply_boundary_conditions(solid);
-    displacement  = solid.solve();
-    results.solve = solid.get_report();
-
-    timer.restart();
-    gradients.resize(cloud.size());
-    for (unsigned int i = 0; i < cloud.size(); ++i)
-      gradients[i] = gradient.gradient(i, displacement);
-    results.strain_energy    = solid.strain_energy(displacement);
-    results.hourglass_energy = control.energy(displacement);
-    results.external_work    = 2. * results.strain_energy;
-    results.tips             = evaluate_tips({*shape, displacement, gradients},
+    Timer timer;
+    results.tips     = evaluate_tips(get_field(),
                                  cracks,
-                                 material,
+                                 get_material(),
                                  parameters.ring_radius,
                                  parameters.two_directions);
-    results.tip_time         = timer.wall_time();
+    results.tip_time = timer.wall_time();
     return results;
   }
 

@@ -84,7 +84,8 @@ namespace Morsel::SPH
     const double dp    = body.spacing;
     const bool   cells = normalisation == Normalisation::conforming;
     Cloud        cloud;
-    if (body.scatter > 0. || cells)
+    const bool   even = body.is_even_lattice();
+    if (!even || cells)
       {
         cloud = body_cloud(body, seed);
         std::vector<ParticleHost<2>::Index> ids(cloud.size());
@@ -101,16 +102,16 @@ namespace Morsel::SPH
     particles.reference = host.reference_positions();
     particles.id.assign(host.ids().begin(), host.ids().end());
     std::vector<double> areas(particles.n_local, dp * dp);
-    if (body.scatter > 0.)
+    if (!even)
       for (unsigned int i = 0; i < areas.size(); ++i)
         areas[i] = cloud.cells[particles.id[i]].area;
     particles.set_areas(areas, depth, material.density);
     allocate(body);
-    const auto cracks = cracks_of(body, seed);
+    const auto barriers = barriers_of(body, particles.reference);
     if (cells)
-      bonds.build_conforming(particles, cloud, kernel, cracks);
+      bonds.build_conforming(particles, cloud, kernel, barriers);
     else
-      bonds.build(particles, kernel, cracks);
+      bonds.build(particles, kernel, barriers);
     normalise(body);
   }
 

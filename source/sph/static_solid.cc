@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace Morsel::SPH
 {
@@ -45,6 +44,17 @@ namespace Morsel::SPH
       for (unsigned int i = 0; i < x.size(); ++i)
         x(i) = field[i / 2][i % 2];
       return x;
+    }
+
+
+    /// Weights of one component.
+    VectorField
+    along(const std::vector<double> &weight, const unsigned int component)
+    {
+      VectorField result(weight.size());
+      for (unsigned int k = 0; k < weight.size(); ++k)
+        result[k][component] = weight[k];
+      return result;
     }
 
 
@@ -124,26 +134,66 @@ namespace Morsel::SPH
 
 
   void
+  StaticSolid::apply_force(const ShapeValues &place, const Tensor<1, 2> &force)
+  {
+    for (unsigned int k = 0; k < place.index.size(); ++k)
+      load[place.index[k]] += place.value[k] * force;
+  }
+
+
+  void
+  StaticSolid::apply_force(const unsigned int i, const Tensor<1, 2> &force)
+  {
+    load[i] += force;
+  }
+
+
+  void
   StaticSolid::hold(const unsigned int side,
                     const unsigned int component,
                     const double       displacement)
   {
     for (const BoundaryFacet &facet : boundary)
       if (facet.side == side)
-        constraints.push_back(
-            {component,
-             penalty * youngs_modulus / (facet.length * facet.length),
-             facet.index,
-             facet.weight,
-             facet.length * displacement});
+        hold(facet, component, displacement);
   }
 
 
   void
-  StaticSolid::pin(const ShapeValues &place, const unsigned int component)
+  StaticSolid::hold(const BoundaryFacet &facet,
+                    const unsigned int   component,
+                    const double         displacement)
   {
     constraints.push_back(
-        {component, penalty * youngs_modulus, place.index, place.value});
+        {penalty * youngs_modulus / (facet.length * facet.length),
+         facet.length,
+         facet.index,
+         along(facet.weight, component),
+         facet.length * displacement});
+  }
+
+
+  void
+  StaticSolid::hold_across(const BoundaryFacet &facet)
+  {
+    constraints.push_back(
+        {penalty * youngs_modulus / (facet.length * facet.length),
+         facet.length,
+         facet.index,
+         facet.flux});
+  }
+
+
+  void
+  StaticSolid::pin(const ShapeValues &place,
+                   const unsigned int component,
+                   const double       displacement)
+  {
+    constraints.push_back({penalty * youngs_modulus,
+                           1.,
+                           place.index,
+                           along(place.value, component),
+                           displacement});
   }
 
 
@@ -152,8 +202,7 @@ namespace Morsel::SPH
   {
     double sum = 0.;
     for (unsigned int k = 0; k < constraint.index.size(); ++k)
-      sum +=
-          constraint.weight[k] * u[constraint.index[k]][constraint.component];
+      sum += constraint.weight[k] * u[constraint.index[k]];
     return sum;
   }
 
@@ -182,7 +231,7 @@ namespace Morsel::SPH
       {
         const double p = c.stiffness * trace(c, u);
         for (unsigned int k = 0; k < c.index.size(); ++k)
-          force[c.index[k]][c.component] += p * c.weight[k];
+          force[c.index[k]] += p * c.weight[k];
       }
     return to_vector(force);
   }
@@ -193,13 +242,20 @@ namespace Morsel::SPH
   {
     std::vector<Eigen::Triplet<double>> entries =
         neighbour_stiffness(shape, material);
+    const auto add = [&](const unsigned int row,
+                         const unsigned int column,
+                         const double       value) {
+      if (row >= column && value != 0.)
+        entries.emplace_back(row, column, value);
+    };
     for (const Constraint &c : constraints)
       for (unsigned int k = 0; k < c.index.size(); ++k)
         for (unsigned int l = 0; l < c.index.size(); ++l)
-          if (c.index[k] >= c.index[l])
-            entries.emplace_back(2 * c.index[k] + c.component,
-                                 2 * c.index[l] + c.component,
-                                 c.stiffness * c.weight[k] * c.weight[l]);
+          for (unsigned int d = 0; d < 2; ++d)
+            for (unsigned int e = 0; e < 2; ++e)
+              add(2 * c.index[k] + d,
+                  2 * c.index[l] + e,
+                  c.stiffness * c.weight[k][d] * c.weight[l][e]);
     return entries;
   }
 
@@ -210,7 +266,7 @@ namespace Morsel::SPH
     VectorField outer = load;
     for (const Constraint &c : constraints)
       for (unsigned int k = 0; k < c.index.size(); ++k)
-        outer[c.index[k]][c.component] -= c.multiplier * c.weight[k];
+        outer[c.index[k]] -= c.multiplier * c.weight[k];
     return to_vector(outer);
   }
 
@@ -223,9 +279,8 @@ namespace Morsel::SPH
       {
         const double g = trace(c, u) - c.target;
         c.multiplier += c.stiffness * g;
-        const double weight =
-            std::accumulate(c.weight.begin(), c.weight.end(), 0.);
-        report.support_gap = std::max(report.support_gap, std::abs(g / weight));
+        report.support_gap =
+            std::max(report.support_gap, std::abs(g) / c.scale);
       }
     report.support_gap /= largest(u);
   }
@@ -240,8 +295,8 @@ namespace Morsel::SPH
     const double   force = rhs.l2_norm();
     for (const Constraint &c : constraints)
       for (unsigned int k = 0; k < c.index.size(); ++k)
-        rhs(2 * c.index[k] + c.component) +=
-            c.stiffness * c.target * c.weight[k];
+        for (unsigned int d = 0; d < 2; ++d)
+          rhs(2 * c.index[k] + d) += c.stiffness * c.target * c.weight[k][d];
     // The penalty times a prescribed displacement exceeds the reactions by far;
     // before the first step of the multipliers it is all there is.
     SolverControl            control(largest_iteration_count,
@@ -300,6 +355,29 @@ namespace Morsel::SPH
     report.residual      = balance.l2_norm() / outer.l2_norm();
     report.solution_time = timer.wall_time();
     return u;
+  }
+
+
+  double
+  StaticSolid::external_work(const VectorField &u) const
+  {
+    double work = 0.;
+    for (unsigned int i = 0; i < u.size(); ++i)
+      work += 0.5 * load[i] * u[i];
+    for (const Constraint &c : constraints)
+      work -= 0.5 * c.multiplier * c.target;
+    return work;
+  }
+
+
+  Tensor<1, 2>
+  StaticSolid::reaction(const unsigned int begin, const unsigned int end) const
+  {
+    Tensor<1, 2> sum;
+    for (unsigned int c = begin; c < end; ++c)
+      for (const Tensor<1, 2> &weight : constraints[c].weight)
+        sum -= constraints[c].multiplier * weight;
+    return sum;
   }
 
 

@@ -54,6 +54,13 @@ namespace Morsel::SPH
 
   UpdatedLagrangian::UpdatedLagrangian(const Scene::ParticleBody &body,
                                        const Scene::Scene        &scene)
+      : UpdatedLagrangian(body, scene, body_cloud(body, scene.seed))
+  {}
+
+
+  UpdatedLagrangian::UpdatedLagrangian(const Scene::ParticleBody &body,
+                                       const Scene::Scene        &scene,
+                                       const Cloud               &cloud)
       : name(body.name)
       , depth(scene.depth)
       , cfl(body.solid.cfl)
@@ -64,22 +71,19 @@ namespace Morsel::SPH
       , kernel(kernel_named(body.solid.kernel),
                body.solid.smoothing_ratio * body.spacing)
       , skin(skin_ratio * body.spacing)
-      , visibility(cracks_of(body, scene.seed),
+      , visibility(barriers_of(body, cloud.points),
                    TipHandling::visibility,
                    kernel.support())
   {
     const double dp     = body.spacing;
-    particles.reference = body.positions(scene.seed);
+    particles.reference = cloud.points;
     particles.spacing   = dp;
 
     const unsigned int n = particles.reference.size();
     area.assign(n, dp * dp);
-    if (body.scatter > 0.)
-      {
-        const Cloud cloud = body_cloud(body, scene.seed);
-        for (unsigned int i = 0; i < n; ++i)
-          area[i] = cloud.cells[i].area;
-      }
+    if (!body.is_even_lattice())
+      for (unsigned int i = 0; i < n; ++i)
+        area[i] = cloud.cells[i].area;
     particles.set_areas(area, depth, material.density);
     for (const double a : area)
       mass_per_depth.push_back(material.density * a);

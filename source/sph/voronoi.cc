@@ -1,5 +1,6 @@
 #include <morsel/core/parallel.h>
 #include <morsel/sph/neighbours.h>
+#include <morsel/sph/outline_cut.h>
 #include <morsel/sph/voronoi.h>
 
 #include <algorithm>
@@ -87,6 +88,19 @@ namespace Morsel::SPH
 
 
     void
+    sort_by_distance(const std::vector<Point<2>> &points,
+                     const Point<2>              &x,
+                     std::vector<unsigned int>   &candidates)
+    {
+      std::sort(candidates.begin(), candidates.end(), [&](auto a, auto b) {
+        const double r = x.distance_square(points[a]);
+        const double s = x.distance_square(points[b]);
+        return r != s ? r < s : a < b;
+      });
+    }
+
+
+    void
     measure(VoronoiCell &cell, const Point<2> &origin)
     {
       Tensor<1, 2> moment;
@@ -117,11 +131,7 @@ namespace Morsel::SPH
     const auto               make = [&](const unsigned int         i,
                           std::vector<unsigned int> &candidates) {
       const Point<2> &x = points[i];
-      std::sort(candidates.begin(), candidates.end(), [&](auto a, auto b) {
-        const double r = x.distance_square(points[a]);
-        const double s = x.distance_square(points[b]);
-        return r != s ? r < s : a < b;
-      });
+      sort_by_distance(points, x, candidates);
       auto &facets = cells[i].facets;
       facets       = rectangle(lower, upper);
       for (const unsigned int j : candidates)
@@ -161,6 +171,59 @@ namespace Morsel::SPH
                                         return facet.length() < 1e-9 * spacing;
                                       }),
                        facets.end());
+          measure(cells[i], points[i]);
+        }
+    });
+    return cells;
+  }
+
+
+  std::vector<VoronoiCell>
+  voronoi_cells(const std::vector<Point<2>> &points,
+                const Scene::Outline        &outline,
+                const double                 spacing)
+  {
+    const double first_reach = 1.7 * spacing;
+    CellGrid     grid;
+    grid.build(points, 2. * std::sqrt(2.) * first_reach);
+    const OutlineCut         cut(outline, points, spacing);
+    std::vector<VoronoiCell> cells(points.size());
+    const auto               make = [&](const unsigned int         i,
+                          const double               reach,
+                          std::vector<unsigned int> &candidates) {
+      const Point<2>    &x = points[i];
+      const Tensor<1, 2> corner({reach, reach});
+      sort_by_distance(points, x, candidates);
+      std::vector<CellFacet> convex = rectangle(x - corner, x + corner);
+      for (const unsigned int j : candidates)
+        {
+          const Tensor<1, 2> d = points[j] - x;
+          if (0.5 * d.norm() > largest_distance(convex, x))
+            break;
+          clip(convex, x + 0.5 * d, d / d.norm(), j, 1e-10 * spacing);
+        }
+      cells[i].facets = cut(i, convex);
+      return !cells[i].facets.empty();
+    };
+    parallel_for(points.size(), [&](const auto begin, const auto end) {
+      std::vector<unsigned int> candidates;
+      for (unsigned int i = begin; i < end; ++i)
+        {
+          candidates.clear();
+          grid.for_each_near(points[i], [&](const unsigned int j) {
+            if (j != i)
+              candidates.push_back(j);
+          });
+          double reach = first_reach;
+          while (!make(i, reach, candidates))
+            {
+              // A hole in the cloud: every other point may be a neighbour.
+              reach *= 2.;
+              candidates.clear();
+              for (unsigned int j = 0; j < points.size(); ++j)
+                if (j != i)
+                  candidates.push_back(j);
+            }
           measure(cells[i], points[i]);
         }
     });

@@ -5,16 +5,20 @@
 
 #include <deal.II/base/point.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace Morsel::Fracture
 {
-  /// The rectangle in which cracks lie.
+  /// The body in which cracks lie.
   struct CrackedFrame
   {
     std::string      name;         ///< what messages call it
-    dealii::Point<2> lower, upper; ///< [m]
+    dealii::Point<2> lower, upper; ///< its bounding box [m]
+    /// Distance inside of its boundary, negative outside [m]; a rectangle's
+    /// where there is none.
+    std::function<double(const dealii::Point<2> &)> depth = {};
 
     /// Its diagonal [m].
     double
@@ -23,7 +27,6 @@ namespace Morsel::Fracture
       return (upper - lower).norm();
     }
 
-    /// Distance inside, negative outside [m].
     double
     depth_inside(const dealii::Point<2> &p) const;
 

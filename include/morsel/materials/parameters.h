@@ -17,8 +17,9 @@ namespace Morsel::Materials
     double      youngs_modulus = 0.;  ///< [Pa]
     double      poissons_ratio = -1.; ///< [1], -1 = from the catalogue
     double      toughness = 0.; ///< area under the stress-strain curve [J/m^3]
-    double      compressive_strength = 0.; ///< f_c [Pa], 0 = sqrt(2 E U)
-    std::string law = "neo-Hookean";       ///< "neo-Hookean" or "linear"
+    double      compressive_strength = 0.;    ///< f_c [Pa], 0 = sqrt(2 E U)
+    std::string law          = "neo-Hookean"; ///< "neo-Hookean" or "linear"
+    bool        plane_stress = false;         ///< in static solutions only
 
     void
     declare(dealii::ParameterHandler &prm);

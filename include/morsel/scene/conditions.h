@@ -33,8 +33,16 @@ namespace Morsel::Scene
     void
     declare(dealii::ParameterHandler &prm);
 
+    /// The rectangle's side of that name.
     Side
     side() const;
+
+    /// Whether it is on a side of the shape, whatever its name.
+    bool
+    on_side() const
+    {
+      return where != "box" && where != "everywhere";
+    }
 
     bool
     has_box() const
@@ -42,14 +50,21 @@ namespace Morsel::Scene
       return box.extent(0) > 0. && box.extent(1) > 0.;
     }
 
-    /// Whether it prescribes velocities rather than forces.
+    /// Whether it prescribes motion rather than forces.
     bool
     prescribes_motion() const
     {
-      return kind == "clamp" || kind == "roller" || kind == "velocity";
+      return kind == "clamp" || kind == "roller" || kind == "velocity" ||
+             kind == "displacement";
     }
 
-    /// Whether it prescribes the velocity in direction @p d (0: x, 1: y).
+    /// Traction that a value of it is on a side [Pa].
+    /// @param normal unit vector out of the body
+    dealii::Tensor<1, 2>
+    traction(const dealii::Tensor<1, 2> &value,
+             const dealii::Tensor<1, 2> &normal) const;
+
+    /// Whether it prescribes the motion in direction @p d (0: x, 1: y).
     bool
     prescribes(unsigned int d) const;
   };

@@ -76,6 +76,12 @@ namespace Morsel::Scene
                     Findings           &findings);
 
 
+  /// Checks that what a static solution cannot do is not asked for, nor of
+  /// transients what they cannot.
+  void
+  check_solution(const Scene &scene, Findings &findings);
+
+
   /// Checks supports, loads, observers and fields of velocity.
   void
   check_conditions(const Scene &scene, Findings &findings);

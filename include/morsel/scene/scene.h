@@ -5,6 +5,7 @@
 #include <morsel/fracture/parameters.h>
 #include <morsel/jaw/motion.h>
 #include <morsel/materials/parameters.h>
+#include <morsel/scene/body_shape.h>
 #include <morsel/scene/conditions.h>
 #include <morsel/scene/rectangle.h>
 #include <morsel/sph/parameters.h>
@@ -22,15 +23,19 @@ namespace Morsel::Scene
   struct ParticleBody
   {
     std::string      name;
-    Rectangle        shape;
-    unsigned int     particles_across = 0;   ///< along x
-    double           spacing          = 0.;  ///< dp [m], derived
-    double           scatter          = 0.;  ///< in spacings [1]
-    dealii::Point<2> initial_velocity;       ///< [m/s]
-    std::string      initial_velocity_field; ///< adds to it [m/s]
+    BodyShape        shape;
+    unsigned int     particles_across = 0;         ///< along x
+    double           spacing          = 0.;        ///< dp [m], derived
+    std::string      filling          = "lattice"; ///< or "relaxed"
+    unsigned int     relaxations      = 50;        ///< Lloyd iterations at most
+    double           scatter          = 0.;        ///< in spacings [1]
+    dealii::Point<2> initial_velocity;             ///< [m/s]
+    std::string      initial_velocity_field;       ///< adds to it [m/s]
     /// Known gradient of the velocity at time 0, xx, xy, yx, yy [1/s]; empty
     /// where it is not asked for.
-    std::string                   expected_velocity_gradient;
+    std::string expected_velocity_gradient;
+    /// Known displacement in equilibrium [m]; empty as above.
+    std::string                   expected_displacement_field;
     Materials::MaterialParameters material; ///< completed from the catalogue
     Materials::DamageParameters   damage;
     Fracture::BodyCracks          cracks;
@@ -43,8 +48,23 @@ namespace Morsel::Scene
     unsigned int
     particles_high() const;
 
-    /// The lattice's points, row by row along x, each thrown off its place by
-    /// up to `scatter` spacings along x and y [m].
+    /// Whether the particles are those of positions().
+    bool
+    is_plain_lattice() const
+    {
+      return shape.is_rectangle() && filling == "lattice";
+    }
+
+    /// Whether all particles have a cell of the same size.
+    bool
+    is_even_lattice() const
+    {
+      return is_plain_lattice() && scatter == 0.;
+    }
+
+    /// The points of a rectangle's lattice, row by row along x, each thrown
+    /// off its place by up to `scatter` spacings along x and y [m]. See
+    /// SPH::body_cloud() for other shapes and fillings.
     std::vector<dealii::Point<2>>
     positions(unsigned int seed) const;
 
@@ -84,8 +104,15 @@ namespace Morsel::Scene
 
   struct TimeParameters
   {
-    double end_time  = 0.4; ///< [s]
-    double time_step = 0.;  ///< [s], 0 = the stable step
+    std::string solution  = "transient"; ///< or "static"
+    double      end_time  = 0.4;         ///< [s]
+    double      time_step = 0.;          ///< [s], 0 = the stable step
+
+    bool
+    is_static() const
+    {
+      return solution == "static";
+    }
 
     void
     declare(dealii::ParameterHandler &prm);

@@ -113,6 +113,7 @@ namespace Morsel::SPH
 
     const Scene::Condition  condition;
     VectorExpression        value;
+    dealii::Tensor<1, 2>    normal; ///< of the side, out of the body
     std::vector<Loaded>     loaded;
     std::vector<Prescribed> prescribed;
 

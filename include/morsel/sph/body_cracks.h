@@ -8,12 +8,19 @@
 
 namespace Morsel::SPH
 {
-  /// The cracks that the scene gives to a body, off its particles.
-  /// @param seed of the scene, for scattered particles
-  /// @throws InputError, see Fracture::cracks_in(), and for a particle on a
-  ///   crack
+  /// The cracks that the scene gives to a body.
+  /// @throws InputError, see Fracture::cracks_in()
   std::vector<Fracture::Crack>
-  cracks_of(const Scene::ParticleBody &body, const unsigned int seed);
+  cracks_of(const Scene::ParticleBody &body);
+
+
+  /// What hides particles of a body from each other: its cracks, and its
+  /// boundary if straight lines between particles can leave it.
+  /// @param points the particles [m]
+  /// @throws InputError, see cracks_of(), and for a particle on a crack
+  std::vector<Fracture::Crack>
+  barriers_of(const Scene::ParticleBody           &body,
+              const std::vector<dealii::Point<2>> &points);
 } // namespace Morsel::SPH
 
 #endif

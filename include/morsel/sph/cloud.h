@@ -23,13 +23,14 @@ namespace Morsel::SPH
   };
 
 
-  /// Particles in a rectangle with their Voronoi cells.
+  /// Particles in a body with their Voronoi cells.
   struct Cloud
   {
-    dealii::Point<2>              lower, upper; ///< of the rectangle [m]
+    dealii::Point<2>              lower, upper; ///< of the bounding box [m]
     double                        spacing = 0.; ///< dp [m]
     std::vector<dealii::Point<2>> points;       ///< X [m]
     std::vector<VoronoiCell>      cells;
+    unsigned int                  n_relaxations = 0; ///< Lloyd iterations
 
     unsigned int
     size() const

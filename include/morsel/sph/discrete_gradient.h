@@ -94,17 +94,22 @@ namespace Morsel::SPH
   residual_control(const ShapeFunctions &shape, const double modulus);
 
 
-  /// The trace of a displacement on one facet of the boundary:
-  /// integral of u over it = sum_j weight_j u_j [m^2].
+  /// The trace of a displacement on what a particle's cell has of a side:
+  /// integral of u over it = sum_j weight_j u_j [m^2], that of u.n = sum_j
+  /// flux_j.u_j [m^2].
   struct BoundaryFacet
   {
-    unsigned int              side   = 0;  ///< left, right, bottom, top
-    double                    length = 0.; ///< [m]
+    unsigned int side = 0;                   ///< left, right, bottom, top, or
+                                             ///< of the outline
+    unsigned int              particle = 0;  ///< the owner
+    double                    length   = 0.; ///< [m]
+    dealii::Point<2>          centre;        ///< [m]
     std::vector<unsigned int> index;
     std::vector<double>       weight; ///< integral of Phi_j [m]
+    VectorField               flux;   ///< integral of Phi_j n [m]
   };
 
-  /// All facets on the boundary of the rectangle, seen from their owners.
+  /// The whole boundary of the body, seen from the owners.
   std::vector<BoundaryFacet>
   boundary_facets(const ShapeFunctions &shape);
 

@@ -2,11 +2,10 @@
 #define morsel_sph_plate_problem_h
 
 #include <morsel/fracture/plate_scene.h>
+#include <morsel/sph/equilibrium.h>
 #include <morsel/sph/plate_discretisation.h>
-#include <morsel/sph/static_solid.h>
 #include <morsel/sph/tip_sampling.h>
 
-#include <memory>
 #include <string>
 
 namespace Morsel::SPH
@@ -24,22 +23,16 @@ namespace Morsel::SPH
 
 
   /// The results of one cracked plate.
-  struct PlateResults
+  struct PlateResults : EquilibriumResults
   {
     std::vector<Fracture::TipResult> tips;
-    double                           strain_energy = 0.; ///< [J/m], all of it
-    double       hourglass_energy                  = 0.; ///< part of it [J/m]
-    double       external_work                     = 0.; ///< [J/m]
-    unsigned int n_particles                       = 0;
-    double       n_neighbours = 0.; ///< of a particle, mean
-    StaticReport solve;
-    double       cloud_time = 0., operator_time = 0., tip_time = 0.; ///< [s]
+    double                           tip_time = 0.; ///< [s]
   };
 
 
   /// A cracked plate of particles from its parameters: cloud, discrete
   /// gradient, supports and loads, solution, stress intensities.
-  class PlateProblem
+  class PlateProblem : public Equilibrium
   {
   public:
     /// @param cracks those of the parameters, or grown ones
@@ -50,29 +43,10 @@ namespace Morsel::SPH
     const PlateResults &
     run();
 
-    const Cloud &
-    get_cloud() const
-    {
-      return cloud;
-    }
-
     const std::vector<Fracture::CrackTip> &
     get_tips() const
     {
       return tips;
-    }
-
-    const VectorField &
-    get_displacement() const
-    {
-      return displacement;
-    }
-
-    /// H_i of the particles [1].
-    const TensorField &
-    get_gradients() const
-    {
-      return gradients;
     }
 
     const PlateResults &
@@ -81,32 +55,18 @@ namespace Morsel::SPH
       return results;
     }
 
-    /// The solution, to be asked anywhere.
-    CloudField
-    get_field() const
-    {
-      return {*shape, displacement, gradients};
-    }
-
-    const Fracture::ElasticPlane &
-    get_material() const
-    {
-      return material;
-    }
-
   private:
+    /// @param cloud_time for its wall time [s]
+    PlateProblem(const PlateParameters              &parameters,
+                 const std::vector<Fracture::Crack> &cracks,
+                 double                              cloud_time);
+
     void
     apply_boundary_conditions(StaticSolid &solid) const;
 
     PlateParameters                 parameters;
-    Fracture::ElasticPlane          material;
     std::vector<Fracture::Crack>    cracks;
     std::vector<Fracture::CrackTip> tips;
-    Cloud                           cloud;
-    Visibility                      visibility;
-    std::unique_ptr<ShapeFunctions> shape;
-    VectorField                     displacement; ///< [m]
-    TensorField                     gradients;    ///< H_i [1]
     PlateResults                    results;
   };
 

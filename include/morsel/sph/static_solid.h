@@ -8,6 +8,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <array>
 #include <vector>
 
 namespace Morsel::SPH
@@ -33,6 +34,8 @@ namespace Morsel::SPH
   /// lies there: a traction's forces have the right moment, and what is held
   /// is the mean displacement of each facet, exactly, by Lagrange
   /// multipliers.
+  ///
+  /// All forces, energies and works are per metre of depth.
   class StaticSolid
   {
   public:
@@ -45,10 +48,18 @@ namespace Morsel::SPH
                 const Fracture::ElasticPlane     &material,
                 const double                      youngs_modulus);
 
-    /// Uniform traction [Pa] on a side of the plate.
+    /// Uniform traction [Pa] on a side.
     void
     apply_traction(const unsigned int          side,
                    const dealii::Tensor<1, 2> &traction);
+
+    /// A force at a place [N/m].
+    void
+    apply_force(const ShapeValues &place, const dealii::Tensor<1, 2> &force);
+
+    /// A force on a particle [N/m].
+    void
+    apply_force(const unsigned int i, const dealii::Tensor<1, 2> &force);
 
     /// Prescribes the displacement of one component on a side [m].
     void
@@ -56,9 +67,28 @@ namespace Morsel::SPH
          const unsigned int component,
          const double       displacement = 0.);
 
-    /// No displacement of one component at a place.
+    /// Prescribes one component of the mean displacement of a facet [m].
     void
-    pin(const ShapeValues &place, const unsigned int component);
+    hold(const BoundaryFacet &facet,
+         const unsigned int   component,
+         const double         displacement = 0.);
+
+    /// No mean displacement of a facet across it.
+    void
+    hold_across(const BoundaryFacet &facet);
+
+    /// Prescribes one component of the displacement at a place [m].
+    void
+    pin(const ShapeValues &place,
+        const unsigned int component,
+        const double       displacement = 0.);
+
+    /// Pins particles against those rigid motions that no support takes. They
+    /// carry nothing, since the loads must be in balance along them.
+    /// @return number of such motions
+    /// @throws InputError, one clause, if the loads are not in balance
+    unsigned int
+    pin_free_motions();
 
     /// @throws NumericalError if the body is not held
     VectorField
@@ -72,6 +102,21 @@ namespace Morsel::SPH
     double
     strain_energy(const VectorField &u) const;
 
+    /// Work of loads and prescribed displacements that grow in proportion.
+    double
+    external_work(const VectorField &u) const;
+
+    /// Supports so far: each call that makes some adds to them.
+    unsigned int
+    n_supports() const
+    {
+      return constraints.size();
+    }
+
+    /// Force of the supports [begin, end) on the body, once it is solved.
+    dealii::Tensor<1, 2>
+    reaction(const unsigned int begin, const unsigned int end) const;
+
     const StaticReport &
     get_report() const
     {
@@ -79,13 +124,13 @@ namespace Morsel::SPH
     }
 
   private:
-    /// A prescribed sum_j weight_j u_j.
+    /// A prescribed sum_j weight_j.u_j.
     struct Constraint
     {
-      unsigned int              component;
       double                    stiffness; ///< penalty per (weight times u)^2
+      double                    scale;     ///< sum of the weights
       std::vector<unsigned int> index;
-      std::vector<double>       weight;
+      VectorField               weight;
       double                    target     = 0.;
       double                    multiplier = 0.;
     };
@@ -110,11 +155,14 @@ namespace Morsel::SPH
     outer_force() const;
     void
     update_multipliers(const VectorField &u);
-    /// sum_j weight_j u_j.
+    /// sum_j weight_j.u_j.
     double
     trace(const Constraint &constraint, const VectorField &u) const;
     VectorField
     inner_force(const VectorField &u) const;
+    /// Displacements along x and y and a turn about the middle, of size 1.
+    std::array<VectorField, 3>
+    rigid_motions() const;
 
     const ShapeFunctions             &shape;
     const DiscreteGradient           &gradient;

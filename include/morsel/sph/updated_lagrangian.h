@@ -2,6 +2,7 @@
 #define morsel_sph_updated_lagrangian_h
 
 #include <morsel/scene/scene.h>
+#include <morsel/sph/cloud.h>
 #include <morsel/sph/deformable_body.h>
 #include <morsel/sph/leapfrog.h>
 #include <morsel/sph/updated_loops.h>
@@ -106,6 +107,10 @@ namespace Morsel::SPH
     }
 
   private:
+    UpdatedLagrangian(const Scene::ParticleBody &body,
+                      const Scene::Scene        &scene,
+                      const Cloud               &cloud);
+
     void
     search_neighbours();
 

@@ -1,6 +1,8 @@
 #ifndef morsel_sph_voronoi_h
 #define morsel_sph_voronoi_h
 
+#include <morsel/scene/outline.h>
+
 #include <deal.II/base/point.h>
 
 #include <vector>
@@ -14,8 +16,9 @@ namespace Morsel::SPH
 
     dealii::Point<2> first, second;           ///< [m]
     unsigned int     neighbour = no_particle; ///< behind it; none at the edge
-    unsigned int     side      = 0; ///< of the rectangle: left, right, bottom,
-                                    ///< top; where there is no neighbour
+    /// Of the outline (of a rectangle left, right, bottom, top), where there
+    /// is no neighbour.
+    unsigned int side = 0;
 
     bool
     at_boundary() const
@@ -39,7 +42,8 @@ namespace Morsel::SPH
   };
 
 
-  /// What lies nearer to one particle than to any other.
+  /// What lies nearer to one particle than to any other. Facets follow each
+  /// other around the cell.
   struct VoronoiCell
   {
     std::vector<CellFacet> facets;
@@ -60,6 +64,20 @@ namespace Morsel::SPH
                 const dealii::Point<2>              &upper,
                 const double                         spacing,
                 const std::vector<char>             &wanted = {});
+
+
+  /// The Voronoi cells of points in a body of any outline: the convex cells
+  /// of the whole plane, cut with the body. A cell's boundary is what lies of
+  /// the outline in the convex cell and of the convex cell's in the body, so
+  /// that areas add up to the body's and the surface vectors of each cell to
+  /// nothing, but for round-off. Cells of a body with holes and recesses may
+  /// be in parts or have holes.
+  /// @param points inside of the outline, no two alike [m]
+  /// @param spacing as above
+  std::vector<VoronoiCell>
+  voronoi_cells(const std::vector<dealii::Point<2>> &points,
+                const Scene::Outline                &outline,
+                const double                         spacing);
 } // namespace Morsel::SPH
 
 #endif
