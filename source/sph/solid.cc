@@ -102,17 +102,47 @@ namespace Morsel::SPH
     particles.n_local   = host.n_local();
     particles.reference = host.reference_positions();
     particles.id.assign(host.ids().begin(), host.ids().end());
-    std::vector<double> areas(particles.n_local, dp * dp);
     if (body.scatter > 0.)
-      for (unsigned int i = 0; i < areas.size(); ++i)
-        areas[i] = cloud.cells[particles.id[i]].area;
-    particles.set_areas(areas, depth, material.density);
+      take_cells(cloud);
+    else
+      particles.set_areas(std::vector<double>(particles.n_local, dp * dp),
+                          depth,
+                          material.density);
     allocate(body);
     if (cells)
       bonds.build_conforming(particles, cloud, kernel, cracks);
     else
       bonds.build(particles, kernel, cracks);
     normalise(body);
+  }
+
+
+  void
+  Solid::take_cells(const Cloud &cloud)
+  {
+    std::vector<double> areas;
+    for (unsigned int i = 0; i < particles.n_local; ++i)
+      {
+        const VoronoiCell &cell = cloud.cells[particles.id[i]];
+        areas.push_back(cell.area);
+        // From the outermost particles alone; the nearer edge at a corner.
+        double distance = cloud.spacing, width = 0.;
+        for (const CellFacet &facet : cell.facets)
+          if (facet.at_boundary())
+            {
+              const double d =
+                  facet.normal() * (facet.first - particles.reference[i]);
+              if (d < distance)
+                {
+                  distance = d;
+                  width    = facet.length();
+                }
+            }
+        const bool outermost = width > 0.;
+        edges.distance.push_back(outermost ? distance : 0.5 * cloud.spacing);
+        edges.width.push_back(outermost ? width : cloud.spacing);
+      }
+    particles.set_areas(areas, depth, material.density);
   }
 
 
