@@ -46,8 +46,9 @@ namespace Morsel
         const unsigned int s = index_of(scene.particle_bodies, pair.food);
         pairs.push_back({s,
                          index_of(scene.rigid_bodies, pair.plate),
-                         Contact::make_plate_contact(
-                             scene.contact, solids[s]->contact_side())});
+                         Contact::make_plate_contact(scene.contact,
+                                                     solids[s]->contact_side(),
+                                                     solids[s]->get_edges())});
       }
     find_closing_axis();
 

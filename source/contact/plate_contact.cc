@@ -13,21 +13,27 @@ namespace Morsel::Contact
     constexpr double margin_in_spacings = 3.;
 
 
-    /// Pressure from the gap between a particle, half a spacing in radius,
-    /// and the nearest facet: f = k (-gap) along the facet's normal, k =
-    /// stiffness (lambda + 2 mu) times the depth.
+    /// Pressure from the gap between the edge of a particle, half a spacing
+    /// off unless told otherwise, and the nearest facet: f = k (-gap) along
+    /// the facet's normal, k = stiffness (lambda + 2 mu) times the depth, times
+    /// the width of edge over the spacing.
     class GapPenalty : public PlateContact
     {
     public:
-      GapPenalty(const ContactParameters &parameters, const ParticleSide &side)
-          : PlateContact(parameters, side, 0.5 * side.spacing)
+      GapPenalty(const ContactParameters &parameters,
+                 const ParticleSide      &side,
+                 const ParticleEdges     &edges)
+          : PlateContact(parameters,
+                         side,
+                         largest(edges.distance, 0.5 * side.spacing))
           , k(parameters.stiffness * side.p_wave_modulus * side.depth)
+          , edges(edges)
       {}
 
       double
       stiffness() const override
       {
-        return k;
+        return k * largest(edges.width, side.spacing) / side.spacing;
       }
 
     protected:
@@ -51,9 +57,14 @@ namespace Morsel::Contact
                 facet   = facets_near[c];
               }
           }
-        const double gap = nearest.distance - range;
+        const unsigned int i   = candidate.particle;
+        const double       gap = nearest.distance -
+                           (edges.distance.empty() ? range : edges.distance[i]);
         if (gap >= 0.)
           return {};
+        const double k = edges.width.empty()
+                             ? this->k
+                             : this->k * edges.width[i] / side.spacing;
 
         const auto [first, second] = surface.facets[facet];
         const double t             = nearest.parameter;
@@ -72,7 +83,15 @@ namespace Morsel::Contact
       }
 
     private:
-      const double k; ///< [N/m]
+      static double
+      largest(const std::vector<double> &values, const double otherwise)
+      {
+        return values.empty() ? otherwise
+                              : *std::max_element(values.begin(), values.end());
+      }
+
+      const double        k; ///< of a particle of a lattice [N/m]
+      const ParticleEdges edges;
     };
 
 
@@ -304,10 +323,11 @@ namespace Morsel::Contact
 
   std::unique_ptr<PlateContact>
   make_plate_contact(const ContactParameters &parameters,
-                     const ParticleSide      &side)
+                     const ParticleSide      &side,
+                     const ParticleEdges     &edges)
   {
     if (parameters.law == "potential")
       return std::make_unique<NodePotential>(parameters, side);
-    return std::make_unique<GapPenalty>(parameters, side);
+    return std::make_unique<GapPenalty>(parameters, side, edges);
   }
 } // namespace Morsel::Contact

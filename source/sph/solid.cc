@@ -101,11 +101,12 @@ namespace Morsel::SPH
     particles.n_local   = host.n_local();
     particles.reference = host.reference_positions();
     particles.id.assign(host.ids().begin(), host.ids().end());
-    std::vector<double> areas(particles.n_local, dp * dp);
-    if (!even)
-      for (unsigned int i = 0; i < areas.size(); ++i)
-        areas[i] = cloud.cells[particles.id[i]].area;
-    particles.set_areas(areas, depth, material.density);
+    if (even)
+      particles.set_areas(std::vector<double>(particles.n_local, dp * dp),
+                          depth,
+                          material.density);
+    else
+      take_cells(cloud);
     allocate(body);
     const auto barriers = barriers_of(body, particles.reference);
     if (cells)
@@ -113,6 +114,35 @@ namespace Morsel::SPH
     else
       bonds.build(particles, kernel, barriers);
     normalise(body);
+  }
+
+
+  void
+  Solid::take_cells(const Cloud &cloud)
+  {
+    std::vector<double> areas;
+    for (unsigned int i = 0; i < particles.n_local; ++i)
+      {
+        const VoronoiCell &cell = cloud.cells[particles.id[i]];
+        areas.push_back(cell.area);
+        // From the outermost particles alone; the nearer edge at a corner.
+        double distance = cloud.spacing, width = 0.;
+        for (const CellFacet &facet : cell.facets)
+          if (facet.at_boundary())
+            {
+              const double d =
+                  facet.normal() * (facet.first - particles.reference[i]);
+              if (d < distance)
+                {
+                  distance = d;
+                  width    = facet.length();
+                }
+            }
+        const bool outermost = width > 0.;
+        edges.distance.push_back(outermost ? distance : 0.5 * cloud.spacing);
+        edges.width.push_back(outermost ? width : cloud.spacing);
+      }
+    particles.set_areas(areas, depth, material.density);
   }
 
 

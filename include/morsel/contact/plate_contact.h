@@ -3,6 +3,7 @@
 
 #include <morsel/contact/parameters.h>
 #include <morsel/contact/surface.h>
+#include <morsel/core/particle_edges.h>
 #include <morsel/core/records.h>
 
 #include <memory>
@@ -109,9 +110,12 @@ namespace Morsel::Contact
 
 
   /// The contact law that the parameters name.
+  /// @param edges where the gap of each particle begins, and how much of the
+  ///   surface it carries: of no account for the potential
   std::unique_ptr<PlateContact>
   make_plate_contact(const ContactParameters &parameters,
-                     const ParticleSide      &side);
+                     const ParticleSide      &side,
+                     const ParticleEdges     &edges = {});
 } // namespace Morsel::Contact
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef morsel_sph_solid_h
 #define morsel_sph_solid_h
 
+#include <morsel/core/particle_edges.h>
 #include <morsel/scene/scene.h>
 #include <morsel/sph/bonds.h>
 #include <morsel/sph/damage_evolution.h>
@@ -113,6 +114,13 @@ namespace Morsel::SPH
     ParticleSide
     contact_side() const;
 
+    /// Of scattered particles.
+    const ParticleEdges &
+    get_edges() const
+    {
+      return edges;
+    }
+
     bool
     can_fail() const
     {
@@ -159,6 +167,10 @@ namespace Morsel::SPH
     void
     normalise(const Scene::ParticleBody &body);
 
+    /// Volumes and edges of scattered particles.
+    void
+    take_cells(const Cloud &cloud);
+
     /// Of the undeformed body.
     double
     measured_highest_frequency();
@@ -181,6 +193,7 @@ namespace Morsel::SPH
     ParticleHost<2> host;
     Particles       particles;
     Bonds           bonds;
+    ParticleEdges   edges;
     bool            viscosity;
     Leapfrog        leapfrog;
     double          highest_frequency = 0.; ///< its square [1/s^2]
