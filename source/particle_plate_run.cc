@@ -202,6 +202,10 @@ namespace Morsel
     const SPH::PlateResults &results = problem.run();
     Output::Summary          summary;
     add_tips(summary, plate, cracks, results.tips);
+    add_observed_points(
+        summary, plate, [&](const std::vector<Point<2>> &points) {
+          return problem.sample(points);
+        });
     Timer energy;
     if (plate.energy_growth > 0.)
       add_energy_route(

@@ -248,6 +248,11 @@ namespace Morsel
     const FE::PlateResults &results = problem.run();
     Output::Summary         summary;
     add_tips(summary, plate, cracks, results.tips);
+    add_observed_points(
+        summary, plate, [&](const std::vector<Point<2>> &points) {
+          return FE::sample_points(
+              problem.get_problem(), problem.get_solution(), points);
+        });
     Timer energy;
     if (plate.energy_growth > 0.)
       add_energy_route(

@@ -147,6 +147,8 @@ namespace Morsel::Scene
           check_expression(body.initial_velocity_field,
                            section + "Initial velocity field",
                            findings);
+        check_numbers(
+            body.initial_stress, 3, section + "Initial stress", findings);
         check_numbers(body.expected_velocity_gradient,
                       4,
                       section + "Expected velocity gradient",

@@ -73,7 +73,8 @@ namespace Morsel::SPH
       , tips(Fracture::collect_tips(cracks))
       , visibility(cracks,
                    tip_handling_named(parameters.tip_handling),
-                   2. * parameters.smoothing_ratio *
+                   KernelShapes::support(kernel_named(parameters.kernel)) *
+                       parameters.smoothing_ratio *
                        particle_spacing(parameters))
   {
     Timer timer;
@@ -98,9 +99,7 @@ namespace Morsel::SPH
         const unsigned int normal  = side < 2 ? 0 : 1;
         const std::string &support = parameters.support[side];
         const Tensor<1, 2> displacement =
-            support == "displacement"
-                ? Fracture::displacement_of(parameters, side)
-                : Tensor<1, 2>();
+            Fracture::displacement_of(parameters, side);
         if (support != "free")
           {
             solid.hold(side, normal, displacement[normal]);
@@ -134,10 +133,12 @@ namespace Morsel::SPH
   PlateProblem::run()
   {
     Timer                  timer;
-    const DiscreteGradient gradient = parameters.gradient == "matrix"
-                                          ? matrix_gradient(*shape)
-                                          : conforming_gradient(*shape);
-    const ResidualControl  control  = residual_control(
+    const DiscreteGradient gradient =
+        parameters.gradient == "conforming"
+            ? conforming_gradient(*shape)
+            : normalised_gradient(*shape,
+                                  normalisation_named(parameters.gradient));
+    const ResidualControl control = residual_control(
         *shape, parameters.hourglass * parameters.youngs_modulus);
     const auto boundary   = boundary_facets(*shape);
     results.operator_time = timer.wall_time();

@@ -30,7 +30,9 @@ namespace
         , shape(cloud,
                 Kernel(KernelKind::cubic_b_spline, 1.3 * cloud.spacing),
                 visibility)
-        , gradient(matrix ? matrix_gradient(shape) : conforming_gradient(shape))
+        , gradient(matrix ? normalised_gradient(shape,
+                                                Normalisation::gradient_matrix)
+                          : conforming_gradient(shape))
         , control(residual_control(shape, control_on ? 0.3 * E : 0.))
         , boundary(boundary_facets(shape))
     {}
