@@ -164,7 +164,7 @@ def stability_map(study, quantity):
     for axes, label in zip(grid[:, 0], ("Measured", "Linear theory")):
         axes.set_yticks(range(len(stresses)),
                         [style.digits(s, 1) for s in stresses])
-        axes.set_ylabel(f"{label}\nStress over E")
+        axes.set_ylabel(f"{label}: stress over E")
     for axes in grid[1]:
         axes.set_xticks(range(len(ratios)), [f"{r:g}" for r in ratios])
         axes.set_xlabel("h/dp")
@@ -184,7 +184,8 @@ def draw_cells(axes, values, name, ratios, stresses):
         for j, ratio in enumerate(ratios):
             if np.isfinite(values[i, j]):
                 axes.text(j, i, f"{values[i, j]:.1f}".replace("-0.0", "0.0"),
-                          ha="center", va="center", fontsize=7)
+                          ha="center", va="center", fontsize=7,
+                          color="white" if values[i, j] > 1.3 else style.INK)
             if bend(KERNELS[name], np.array([1 / ratio]))[0] * stress > 0:
                 axes.add_patch(plt.Rectangle(
                     (j - 0.5, i - 0.5), 1, 1, fill=False, hatch="///",
