@@ -161,6 +161,12 @@ namespace Morsel
       spacing =
           std::min(spacing, Measure::smallest_spacing(body->get_particles()));
     least_spacing = std::min(least_spacing, spacing);
+    sample_times.push_back(experiment.time());
+    roughness.emplace_back();
+    for (unsigned int b = 0; b < scene.particle_bodies.size(); ++b)
+      roughness.back().push_back(Measure::velocity_roughness(
+          experiment.bodies()[b]->get_particles(),
+          scene.particle_bodies[b].particles_across));
 
     std::vector<double> row = {experiment.time(),
                                static_cast<double>(experiment.step())};

@@ -80,6 +80,9 @@ namespace Morsel
     summarise_bodies();
 
     void
+    summarise_roughness(unsigned int body, const std::string &name);
+
+    void
     summarise_ledgers();
 
     void
@@ -90,10 +93,13 @@ namespace Morsel
     const Experiment   &experiment;
     RunLog             &log;
 
-    std::vector<Observed>   observed;
-    std::vector<Gauged>     gauged;
-    Measure::EnergyLedger   energy;
-    Measure::MomentumLedger momentum;
+    std::vector<Observed> observed;
+    std::vector<Gauged>   gauged;
+    /// Roughness of velocity by sample and body [m/s], and the samples' times.
+    std::vector<std::vector<double>> roughness;
+    std::vector<double>              sample_times;
+    Measure::EnergyLedger            energy;
+    Measure::MomentumLedger          momentum;
 
     std::unique_ptr<Output::History>                history;
     std::vector<std::unique_ptr<Output::Frames<0>>> frames;

@@ -14,6 +14,36 @@
 
 namespace Morsel
 {
+  namespace
+  {
+    /// Mean and noise of the stress where supports are full.
+    void
+    add_interior(const Scene::ParticleBody &body,
+                 const SPH::DeformableBody &solid,
+                 const std::string         &name,
+                 Output::Summary           &summary)
+    {
+      const Kernel kernel(kernel_named(body.solid.kernel),
+                          body.solid.smoothing_ratio * body.spacing);
+      const auto   s = Measure::interior_stress(solid, body, kernel.support());
+      if (s.count == 0)
+        return;
+      const std::string meaning =
+          "over the particles with a full support, at the end";
+      summary.add("stress_mean_xx" + name, s.mean_xx, "Pa", "mean " + meaning);
+      summary.add("stress_mean_yy" + name, s.mean_yy, "Pa", "mean " + meaning);
+      summary.add("stress_deviation_xx" + name,
+                  s.deviation_xx,
+                  "Pa",
+                  "standard deviation " + meaning);
+      summary.add("stress_deviation_yy" + name,
+                  s.deviation_yy,
+                  "Pa",
+                  "standard deviation " + meaning);
+    }
+  } // namespace
+
+
   std::string
   underscored(std::string name)
   {
@@ -130,6 +160,30 @@ namespace Morsel
 
 
   void
+  ExperimentRecorder::summarise_roughness(const unsigned int body,
+                                          const std::string &name)
+  {
+    summary.add("velocity_roughness" + name,
+                roughness.back()[body],
+                "m/s",
+                "root mean square of a particle's difference from the mean "
+                "velocity of its four neighbours, at the end");
+    unsigned int middle = 0;
+    while (sample_times[middle] < 0.5 * sample_times.back())
+      ++middle;
+    const double first = roughness[middle][body];
+    if (first > 0. && roughness.back()[body] > 0. &&
+        middle + 1 < sample_times.size())
+      summary.add("velocity_roughness_growth" + name,
+                  std::log(roughness.back()[body] / first) /
+                      (sample_times.back() - sample_times[middle]),
+                  "1/s",
+                  "exponential rate at which it grew over the second half of "
+                  "the run");
+  }
+
+
+  void
   ExperimentRecorder::summarise_bodies()
   {
     for (unsigned int b = 0; b < scene.particle_bodies.size(); ++b)
@@ -146,6 +200,9 @@ namespace Morsel
             summary.add("stress_noise_xx" + name, noise.xx, "1", meaning);
             summary.add("stress_noise_yy" + name, noise.yy, "1", meaning);
           }
+        add_interior(body, *experiment.bodies()[b], name, summary);
+        if (body.scatter == 0.)
+          summarise_roughness(b, name);
         summary.add("neighbours_per_particle" + name,
                     experiment.bodies()[b]->neighbours_per_particle(),
                     "1",

@@ -70,11 +70,11 @@ namespace Morsel
         throw InputError("'XFEM/Solver' is 'umfpack', which works on one rank "
                          "only: choose 'multifrontal' or 'iterative'.");
       for (unsigned int side = 0; side < 4; ++side)
-        if (plate.support[side] == "displacement")
+        if (Fracture::displacement_of(plate, side).norm() > 0.)
           throw InputError(std::string("'Boundary/") +
                            Fracture::side_names[side] +
-                           " support' is 'displacement', which works on one "
-                           "rank only: run without mpirun.");
+                           " displacement' works on one rank only: run "
+                           "without mpirun.");
     }
 
 

@@ -168,7 +168,10 @@ namespace Morsel
          costs.str(),
          [&] { return SPH::energy_route(plate, results.strain_energy); },
          [&](Output::Summary &summary) { add_costs(summary, results); },
-         [&] { write_fields(folder, plate, cracks, problem, results); }},
+         [&] { write_fields(folder, plate, cracks, problem, results); },
+         [&](const std::vector<Point<2>> &points) {
+           return problem.get_field().sample(points);
+         }},
         whole,
         log,
         folder,

@@ -131,6 +131,35 @@ namespace Morsel
     }
 
 
+    /// Displacement and stress at the scene's observed points.
+    void
+    add_observed_points(Output::Summary              &summary,
+                        const Fracture::PlateScene   &plate,
+                        const Fracture::FieldSampler &sample)
+    {
+      const auto                    points = Fracture::observed_points(plate);
+      std::vector<dealii::Point<2>> places;
+      for (const Fracture::ObservedPoint &point : points)
+        places.push_back(point.place);
+      const Fracture::ElasticPlane material(
+          plate.youngs_modulus, plate.poissons_ratio, plate.plane_stress);
+      const auto samples = sample(places);
+      for (unsigned int k = 0; k < points.size(); ++k)
+        {
+          const std::string name = "_" + points[k].name;
+          const auto        u    = samples[k].value;
+          const auto        s    = material.stress(samples[k].gradient);
+          const std::string at   = "at (" + number_text(places[k][0]) + ", " +
+                                 number_text(places[k][1]) + ") m";
+          summary.add("displacement_x" + name, u[0], "m", at);
+          summary.add("displacement_y" + name, u[1], "m", at);
+          summary.add("stress_xx" + name, s[0][0], "Pa", at);
+          summary.add("stress_yy" + name, s[1][1], "Pa", at);
+          summary.add("stress_xy" + name, s[0][1], "Pa", at);
+        }
+    }
+
+
     void
     tell_tips(RunLog                                 &log,
               const Fracture::PlateScene             &plate,
@@ -176,6 +205,7 @@ namespace Morsel
   {
     Output::Summary summary;
     add_tips(summary, run.plate, run.cracks, run.tips);
+    add_observed_points(summary, run.plate, run.sample);
     dealii::Timer energy;
     if (run.plate.energy_growth > 0.)
       add_energy_route(summary, run.plate, run.energy_route());

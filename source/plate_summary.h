@@ -3,6 +3,7 @@
 
 #include <morsel/core/log.h>
 #include <morsel/core/run_options.h>
+#include <morsel/fracture/plate_output.h>
 #include <morsel/fracture/plate_scene.h>
 #include <morsel/fracture/tip_result.h>
 #include <morsel/output/summary.h>
@@ -28,6 +29,7 @@ namespace Morsel
     std::function<double()>                energy_route; ///< [Pa sqrt(m)]
     std::function<void(Output::Summary &)> add_costs;
     std::function<void()>                  write_fields;
+    Fracture::FieldSampler                 sample; ///< of the solution
   };
 
 

@@ -227,7 +227,11 @@ namespace Morsel
                 costs.str(),
                 [&] { return FE::energy_route(plate, results.strain_energy); },
                 [&](Output::Summary &summary) { add_costs(summary, results); },
-                [&] { write_fields(folder, plate, cracks, problem, results); }},
+                [&] { write_fields(folder, plate, cracks, problem, results); },
+                [&](const std::vector<Point<2>> &points) {
+                  return FE::sample_points(
+                      problem.get_problem(), problem.get_solution(), points);
+                }},
                whole,
                log,
                folder,

@@ -1,4 +1,6 @@
 """What the page tells of an experiment on particle bodies without plates."""
+import html
+
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -61,6 +63,39 @@ def over_time(run, prefix, unit, label):
     return figure
 
 
+def stress_errors(run):
+    """{observed point: largest error of its stress}, where one is known."""
+    errors = {}
+    for name, entry in run.results().items():
+        parts = name.split("_", 2)
+        if parts[0] == "stress" and "error" in entry and len(parts) == 3:
+            point = parts[2].replace("_", " ")
+            errors[point] = max(errors.get(point, 0.0), abs(entry["error"]))
+    return errors
+
+
+def errors_by_point(run):
+    """The largest error of the stress at each observed point."""
+    errors = stress_errors(run)
+    if len(errors) < 3:
+        return None
+    figure, axes = plt.subplots(figsize=(7.4, 0.28 * len(errors) + 1.1),
+                                layout="constrained")
+    for i, (point, error) in enumerate(errors.items()):
+        error = max(100 * error, 1e-12)
+        axes.plot(error, i, "o", ms=6,
+                  color=style.RED if error > 1 else style.GREEN)
+        axes.annotate(style.digits(error, 2), (error, i), fontsize=8,
+                      xytext=(8, 0), textcoords="offset points", va="center")
+    axes.set_xscale("log")
+    axes.margins(x=0.16)
+    axes.axvline(1, color=style.QUIET, lw=0.8, ls=":")
+    axes.set_yticks(range(len(errors)), list(errors))
+    axes.invert_yaxis()
+    axes.set_xlabel("Largest error of a stress component [% of the largest]")
+    return figure
+
+
 FIGURES = [
     ("moments", moments,
      "The body at the beginning, in between and at the end. Above, the von "
@@ -70,6 +105,9 @@ FIGURES = [
      "Displacement of the observed points over time.", False),
     ("stresses", lambda run: over_time(run, "stress_", "Pa", "Stress"),
      "Stress at the observed points over time.", False),
+    ("errors", errors_by_point,
+     "Errors of the stress at the end where it is known: red above 1\u202f%.",
+     False),
     ("forces", lambda run: over_time(run, "force_", "N", "Force"),
      "Force of supports and loads over time.", False),
     ("energy", curves.energy_ledger,
@@ -81,7 +119,7 @@ FIGURES = [
 SECTIONS = [
     ("The body", ["moments"]),
     ("Observed points, supports and loads",
-     ["displacements", "stresses", "forces"]),
+     ["displacements", "stresses", "errors", "forces"]),
     ("The energy ledger", ["energy"]),
 ]
 
@@ -108,6 +146,23 @@ def outcome(run):
     return text + (f"; ended by: {end}." if end else ".")
 
 
-def tables(_run):
-    """No tables but those that every page has."""
-    return []
+def tables(run):
+    """Errors of strain rates by body and place (figure 3-9), if asked for."""
+    prefix = "strain_rate_error_"
+    errors = {}
+    for name, entry in run.results().items():
+        if name.startswith(prefix):
+            place, body = name[len(prefix):].split("_", 1)
+            errors.setdefault(body.replace("_", " "), {})[place] = (
+                entry["value"])
+    if not errors:
+        return []
+    rows = "".join(
+        f"<tr><td>{html.escape(body)}</td>" + "".join(
+            f'<td class="n">{found.get(place, float("nan")):.3g}</td>'
+            for place in ("interior", "edge", "corner")) + "</tr>"
+        for body, found in errors.items())
+    return ["<h2>Errors of the strain rate</h2><table><thead><tr>"
+            '<th>Body</th><th class="n">Interior [1/s]</th>'
+            '<th class="n">Edge [1/s]</th><th class="n">Corner [1/s]</th>'
+            f"</tr></thead><tbody>{rows}</tbody></table>"]

@@ -2,158 +2,21 @@
 import base64
 import html
 import io
-import json
 import math
 import os
-import pathlib
-import re
 
 import matplotlib.pyplot as plt
 import numpy as np
 
-from . import style
+from . import kernels, style
 from .page import STYLE
-from .reader import NoRun
+from .study_comparisons import over_two_axes, side_by_side
+from .study_data import (COLOURS, Study, axis_label, free_axes, groups_of,
+                         in_figure, in_page, leading_axes, look,
+                         percent_ticks, plain_ticks, runs_with)
 
-COLOURS = [style.BLUE, style.RED, style.GREEN, style.PURPLE, style.ORANGE,
-           style.SKY, style.BLACK, "#8c6d31"]
-MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 COSTS = [("time", "Time", "s"), ("unknowns", "Unknowns", "1"),
          ("memory", "Peak memory", "B")]
-
-
-class Study:
-    """study.json of one folder."""
-
-    def __init__(self, folder):
-        self.folder = pathlib.Path(folder)
-        text = (self.folder / "study.json").read_text(encoding="utf-8")
-        try:
-            self.data = json.loads(text)
-        except json.JSONDecodeError as error:
-            raise NoRun(f"'{self.folder}/study.json' is not readable: "
-                        f"{error}.") from error
-        self.runs = self.data["runs"]
-        self.series = self.data["series"]
-        self.quantities = self.data["quantities"]
-        self.axes = self.data["axes"]
-
-    def of_series(self, name):
-        """The finished runs of a series."""
-        return [r for r in self.runs
-                if r["series"] == name and r["status"] == "finished"]
-
-    def error(self, run, quantity):
-        """|error| of a run, not below what the truth is known to; or None."""
-        error = run["quantities"][quantity]["error"]
-        if error is None:
-            return None
-        return max(abs(error), self.quantities[quantity]["truth_accuracy"],
-                   1e-16)
-
-    def has_errors(self, quantity):
-        """Whether any run has an error."""
-        return any(r["quantities"][quantity]["error"] is not None
-                   for r in self.runs)
-
-    def random_axes(self):
-        """The names of the axes whose values are draws."""
-        return [n for n, a in self.axes.items()
-                if a["kind"] in ("random", "seeds")]
-
-    def refines(self, axis):
-        """Whether the resolution goes along with an axis."""
-        for series in self.series:
-            runs = [r for r in self.of_series(series["name"])
-                    if r["resolution"] and axis in r["axes"]]
-            others = [n for n in self.axes if n != axis
-                      and self.axes[n]["together_with"] != axis]
-            for members in groups_of(runs, others).values():
-                found = [r["resolution"] for r in members]
-                if max(found) > 1.5 * min(found) > 0:
-                    return True
-        return False
-
-    def converges(self, quantity):
-        """Whether there are errors at three resolutions or more."""
-        return not self.random_axes() and any(
-            f["points"] > 2 for f in self.data["rates"]
-            if f["quantity"] == quantity)
-
-    def name_of(self, axis, run):
-        """"angle = 30°" of a run."""
-        value = run["axes"].get(axis)
-        unit = self.axes[axis]["unit"]
-        text = (str(value) if isinstance(value, str)
-                else style.digits(value) if value is not None else "")
-        unit = "" if unit == "1" else "\u202f" + style.pretty_unit(unit)
-        return f"{self.axes[axis]['label']} {text}{unit}"
-
-
-def in_figure(label):
-    """A label with its subscript, K_I, as matplotlib sets it."""
-    return re.sub(r"\b([A-Za-z])_(\w+)\b", r"$\1_{\\mathrm{\2}}$", label)
-
-
-def in_page(label):
-    """A label with its subscript as HTML."""
-    return re.sub(r"\b([A-Za-z])_(\w+)\b", r"\1<sub>\2</sub>",
-                  html.escape(label))
-
-
-def look(k):
-    """Colour and marker of the k-th series."""
-    return {"color": COLOURS[k % len(COLOURS)],
-            "marker": MARKERS[k % len(MARKERS)]}
-
-
-def axis_label(label, unit):
-    """A label with its unit in brackets."""
-    unit = style.pretty_unit(unit)
-    return label + (f" [{unit}]" if unit else "")
-
-
-def percent_ticks(axes):
-    """Ticks of a logarithmic axis of errors as percentages."""
-    def text(value, _):
-        power = math.log10(value) if value > 0 else 0
-        if abs(power - round(power)) > 1e-9:
-            return ""
-        shown = round(power) + 2
-        if -3 <= shown <= 3:
-            return f"{10.0 ** shown:g}\u202f%"
-        exponent = str(shown).translate(
-            str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-        return f"10{exponent}\u202f%"
-
-    axis = axes.yaxis
-    axis.set_major_formatter(plt.FuncFormatter(text))
-    axis.set_minor_formatter(plt.NullFormatter())
-    low, high = axis.get_view_interval()
-    if high < 30 * low:
-        # At least one power of ten on either side has a name.
-        axis.set_view_interval(10.0 ** math.floor(math.log10(low)),
-                               10.0 ** math.ceil(math.log10(high)), True)
-
-
-def plain_ticks(axis, values):
-    """Logarithmic ticks in plain numbers; few where there are many decades."""
-    range_of = max(values) / min(values)
-    if range_of < 1e4:
-        axis.set_major_formatter(plt.FuncFormatter(
-            lambda v, _: f"{v:,g}".replace(",", "\u202f")))
-    axis.set_minor_formatter(plt.FuncFormatter(
-        lambda v, _: f"{v:,g}".replace(",", "\u202f")
-        if range_of < 25 and f"{v:.0e}"[0] in "25" else ""))
-
-
-def groups_of(runs, separated):
-    """Runs by the values of some axes, in the order of the study."""
-    groups = {}
-    for run in runs:
-        key = tuple((a, run["axes"][a]) for a in separated if a in run["axes"])
-        groups.setdefault(key, []).append(run)
-    return groups
 
 
 def rate_text(fit):
@@ -279,21 +142,12 @@ def draw_front(axes, study, quantity, cost, factor):
 
 def over_axis(study, quantity):
     """The quantity over an axis that is no resolution, with its truth."""
-    followers = {n for n, a in study.axes.items()
-                 if a["together_with"] in study.axes}
-    runs = [r for r in study.runs
-            if r["quantities"][quantity]["value"] is not None]
-    candidates = [n for n in study.axes
-                  if n not in followers and n not in study.random_axes()
-                  and study.axes[n]["kind"] != "texts"
-                  and len({r["axes"].get(n) for r in runs} - {None}) > 2
-                  and not study.refines(n)]
-    if not candidates:
+    runs = runs_with(study, quantity)
+    candidates = free_axes(study, runs)
+    if len(candidates) in (0, 2):  # see over_two_axes()
         return None
-    axis = candidates[0]
-    others = [n for n in study.axes if n != axis and n not in followers
-              and n not in study.random_axes()]
-    return draw_over_axis(study, quantity, axis, others, runs)
+    others = [n for n in leading_axes(study) if n != candidates[0]]
+    return draw_over_axis(study, quantity, candidates[0], others, runs)
 
 
 def draw_over_axis(study, quantity, axis, others, runs):
@@ -407,6 +261,14 @@ FIGURES = [
      "Error against resolution, with the fitted rates (95 % confidence). In "
      "the grey band the truth itself is not known."),
     ("over_axis", over_axis, "The result over the axis, beside its truth."),
+    ("over_two_axes", over_two_axes,
+     "The result over two axes."),
+    ("side_by_side", side_by_side, "The runs side by side."),
+    ("stability", kernels.stability_map,
+     "The rate at which a small disturbance of a stressed lattice grows, over "
+     "smoothing ratio and stress: above as runs measured it, below by linear "
+     "theory of plane waves. Hatched is what Swegle's condition W'' sigma > 0 "
+     "at the nearest neighbours calls unstable."),
     ("draws", scatter_of_draws,
      "How the draws scatter; dashed is the mean."),
 ]
@@ -419,22 +281,31 @@ def draw(study, notes):
     for old in folder.glob("*.png"):
         old.unlink()
     pictures = []
-    for quantity, entry in study.quantities.items():
-        for name, make, caption in FIGURES:
-            try:
-                figure = make(study, quantity)
-            except (ValueError, IndexError, KeyError, TypeError) as error:
-                notes.append(f"The figure '{name}' of {quantity} could not be "
-                             f"drawn ({error}).")
-                plt.close("all")
-                continue
-            if figure is None:
-                continue
-            buffer = io.BytesIO()
-            figure.savefig(buffer, format="png")
-            plt.close(figure)
-            (folder / f"{name}_{quantity}.png").write_bytes(buffer.getvalue())
-            pictures.append((entry["label"], caption, buffer.getvalue()))
+    wanted = [(quantity, entry, *figure)
+              for quantity, entry in study.quantities.items()
+              for figure in FIGURES]
+    if kernels.is_stability_study(study):
+        wanted.insert(0, (
+            "all", {"label": "Kernels"}, "kernels",
+            lambda *_: kernels.figure_of_kernels(),
+            "The kernels with their derivatives. At the nearest neighbours "
+            "tension is unstable where W'' is positive, and compression "
+            "where it is negative (T3-32)."))
+    for quantity, entry, name, make, caption in wanted:
+        try:
+            figure = make(study, quantity)
+        except (ValueError, IndexError, KeyError, TypeError) as error:
+            notes.append(f"The figure '{name}' of {quantity} could not be "
+                         f"drawn ({error}).")
+            plt.close("all")
+            continue
+        if figure is None:
+            continue
+        buffer = io.BytesIO()
+        figure.savefig(buffer, format="png")
+        plt.close(figure)
+        (folder / f"{name}_{quantity}.png").write_bytes(buffer.getvalue())
+        pictures.append((entry["label"], caption, buffer.getvalue()))
     return pictures
 
 

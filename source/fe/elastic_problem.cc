@@ -120,7 +120,8 @@ namespace Morsel::FE
 
   void
   ElasticProblem::prescribe(const std::set<types::boundary_id> &ids,
-                            const Field                        &displacement)
+                            const Field                        &displacement,
+                            const std::array<bool, 2>          &components)
   {
     // Normal equations of the L2 projection on the boundary, solved by the
     // same factorisation as the body: dependent traces get the value zero.
@@ -148,7 +149,8 @@ namespace Morsel::FE
           cell->get_dof_indices(dofs);
           std::vector<unsigned int> on_face;
           for (unsigned int i = 0; i < dofs.size(); ++i)
-            if (cell->get_fe().has_support_on_face(i, f) &&
+            if (components[n.component[i]] &&
+                cell->get_fe().has_support_on_face(i, f) &&
                 !hanging.is_constrained(dofs[i]))
               on_face.push_back(i);
           ElementSystem e;

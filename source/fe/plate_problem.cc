@@ -128,15 +128,16 @@ namespace Morsel::FE
             problem->hold(side, 1 - normal);
             held[1 - normal] = true;
           }
-        if (parameters.support[side] == "displacement")
-          {
-            const Tensor<1, 2> displacement =
-                Fracture::displacement_of(parameters, side);
-            problem->prescribe(
-                {side}, [displacement](const Point<2> &, const Tensor<1, 2> &) {
-                  return displacement;
-                });
-          }
+        const Tensor<1, 2> displacement =
+            Fracture::displacement_of(parameters, side);
+        const bool both = holds_both(parameters.support[side]);
+        if (displacement.norm() > 0.)
+          problem->prescribe(
+              {side},
+              [displacement](const Point<2> &, const Tensor<1, 2> &) {
+                return displacement;
+              },
+              {{both || normal == 0, both || normal == 1}});
         const Tensor<1, 2> traction = Fracture::traction_on(parameters, side);
         if (traction.norm() > 0.)
           problem->apply_traction(
@@ -210,10 +211,10 @@ namespace Morsel::FE
     results.n_cells = triangulation.n_global_active_cells();
     results.solve   = problem->get_report();
     // Clapeyron: the loads, at their full size, do twice the strain energy.
-    const bool by_tractions =
-        std::none_of(parameters.support.begin(),
-                     parameters.support.end(),
-                     [](const std::string &s) { return s == "displacement"; });
+    bool by_tractions = true;
+    for (unsigned int side = 0; side < 4; ++side)
+      by_tractions = by_tractions &&
+                     Fracture::displacement_of(parameters, side).norm() == 0.;
     results.strain_energy = by_tractions
                                 ? 0.5 * problem->traction_work(solution)
                                 : problem->strain_energy(solution);

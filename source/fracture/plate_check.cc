@@ -67,11 +67,13 @@ namespace Morsel::Fracture
               "' Pa, but " + entry(side, "support") + " is '" + support +
               "', which takes no traction along " + (d == 0 ? "x" : "y") +
               ": set that to 0, or the support to 'free'.");
-      if (support != "displacement" && displacement.norm() > 0.)
-        throw InputError(entry(side, "displacement") + " is '" +
-                         plate.displacement[side] + "' m, but " +
-                         entry(side, "support") + " is '" + support +
-                         "': set that to 'displacement'.");
+      for (unsigned int d = 0; d < 2; ++d)
+        if (displacement[d] != 0. &&
+            (support == "clamp" || !holds(plate, side, d)))
+          throw InputError(entry(side, "displacement") + " is '" +
+                           plate.displacement[side] + "' m, but " +
+                           entry(side, "support") + " is '" + support +
+                           "': set that to 'displacement'.");
       const double size = (plate.upper_corner - plate.lower_corner).norm();
       if (displacement.norm() > size)
         throw InputError(entry(side, "displacement") + " is '" +
@@ -366,6 +368,7 @@ namespace Morsel::Fracture
     const std::vector<Crack> cracks = make_cracks(plate);
     check_parts(plate, cracks);
     check_growth(plate, cracks);
+    observed_points(plate);
     check_wanted_results(plate, cracks);
   }
 } // namespace Morsel::Fracture

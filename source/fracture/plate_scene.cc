@@ -85,7 +85,8 @@ namespace Morsel::Fracture
               std::string(side_names[side]) + " support",
               plate.support[side],
               "'clamp': no displacement; 'roller': none normal to "
-              "the side; 'displacement': the one given below; "
+              "the side, or the one given below, and free along it; "
+              "'displacement': the one given below; "
               "'free'. Rigid motions that no support holds are "
               "held by pins in the right corners.",
               Patterns::Selection("free|clamp|roller|displacement"));
@@ -94,8 +95,8 @@ namespace Morsel::Fracture
                             "x, y [Pa].");
           prm.add_parameter(std::string(side_names[side]) + " displacement",
                             plate.displacement[side],
-                            "x, y of a side whose support is 'displacement' "
-                            "[m].");
+                            "x, y of a side whose support is 'displacement', "
+                            "or that across a 'roller' [m].");
         }
       prm.leave_subsection();
     }
@@ -167,16 +168,45 @@ namespace Morsel::Fracture
   }
 
 
+  std::vector<ObservedPoint>
+  observed_points(const PlateScene &plate)
+  {
+    const std::string          entry = "Plate/Observed points";
+    std::vector<ObservedPoint> points;
+    for (const std::string &item :
+         Utilities::split_string_list(plate.observed_points, ';'))
+      {
+        const std::size_t colon = item.find(':');
+        const std::string name  = trimmed(item.substr(0, colon));
+        if (colon == std::string::npos || name.empty() ||
+            !std::all_of(name.begin(), name.end(), [](unsigned char c) {
+              return std::isalnum(c) != 0 || c == '_';
+            }))
+          throw InputError("'" + entry + "' has '" + trimmed(item) +
+                           "' where 'name: x, y' is needed, the name of "
+                           "letters, digits and '_'.");
+        for (const ObservedPoint &other : points)
+          if (other.name == name)
+            throw InputError("'" + entry + "' has two points '" + name +
+                             "'; give each a name of its own.");
+        const Point<2> place = read_pair(item.substr(colon + 1), entry);
+        if (depth_inside(plate, place) < 0.)
+          throw InputError("'" + entry + "': the point '" + name + "' at " +
+                           text(place) + " lies outside the plate.");
+        points.push_back({name, place});
+      }
+    return points;
+  }
+
+
   HeldQuantity
   held_quantity(const PlateScene &plate)
   {
     bool traction = false, displacement = false;
     for (unsigned int side = 0; side < 4; ++side)
       {
-        traction = traction || traction_on(plate, side).norm() > 0.;
-        displacement =
-            displacement || (plate.support[side] == "displacement" &&
-                             displacement_of(plate, side).norm() > 0.);
+        traction     = traction || traction_on(plate, side).norm() > 0.;
+        displacement = displacement || displacement_of(plate, side).norm() > 0.;
       }
     if (traction && displacement)
       throw InputError(
@@ -216,6 +246,10 @@ namespace Morsel::Fracture
     prm.enter_subsection("Plate");
     prm.add_parameter("Lower corner", lower_corner, "x, y [m].");
     prm.add_parameter("Upper corner", upper_corner, "x, y [m].");
+    prm.add_parameter("Observed points",
+                      observed_points,
+                      "Places whose displacement and stress the summary tells, "
+                      "as 'name: x, y; ...' [m].");
     prm.leave_subsection();
 
     prm.enter_subsection("Material");

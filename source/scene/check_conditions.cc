@@ -176,6 +176,8 @@ namespace Morsel::Scene
           check_expression(body.expected_displacement_field,
                            section + "Expected displacement field",
                            findings);
+        check_numbers(
+            body.initial_stress, 3, section + "Initial stress", findings);
         check_numbers(body.expected_velocity_gradient,
                       4,
                       section + "Expected velocity gradient",

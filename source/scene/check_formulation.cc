@@ -116,6 +116,11 @@ namespace Morsel::Scene
                        "the total Lagrangian form has no tensile instability "
                        "that it could cure, and it would bias the stress; give "
                        "0 or take 'Formulation' = 'updated Lagrangian'.");
+    if (!body.initial_stress.empty() && !body.solid.is_updated())
+      findings.mistake("Body " + body.name + "/Particles/Initial stress",
+                       "the total Lagrangian form has its stress from the "
+                       "deformation; leave it out or take 'Formulation' = "
+                       "'updated Lagrangian'.");
     check_normalisation(body, findings);
   }
 } // namespace Morsel::Scene

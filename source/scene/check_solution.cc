@@ -23,10 +23,6 @@ namespace Morsel::Scene
              "Solid/Formulation",
              "equilibrium at small strain is found in the reference "
              "configuration; take 'total Lagrangian'.");
-      refuse(body.solid.normalisation != "gradient matrix",
-             "Solid/Normalisation",
-             "a static solution has the conforming gradient, which needs no "
-             "correction; leave it out.");
       refuse(body.solid.artificial_stress > 0.,
              "Solid/Artificial stress",
              "a static solution has no tensile instability to cure; give 0.");

@@ -60,6 +60,11 @@ namespace Morsel::Scene
                       initial_velocity_field,
                       "Velocity at time 0 that adds to it, as expressions "
                       "'f_x; f_y' of the place x, y [m] [m/s]; none if empty.");
+    prm.add_parameter(
+        "Initial stress",
+        initial_stress,
+        "Stress 'xx, yy, xy' of all particles at time 0 [Pa], at "
+        "no strain; none if empty. Updated Lagrangian form only.");
     prm.add_parameter("Expected velocity gradient",
                       expected_velocity_gradient,
                       "Gradient 'xx, xy, yx, yy' of the velocity at time 0 "

@@ -126,7 +126,8 @@ namespace Morsel::SPH
 
 
   DiscreteGradient
-  matrix_gradient(const ShapeFunctions &shape)
+  normalised_gradient(const ShapeFunctions &shape,
+                      const Normalisation   normalisation)
   {
     const Cloud        &cloud = shape.get_cloud();
     DiscreteGradient    result;
@@ -135,23 +136,32 @@ namespace Morsel::SPH
     result.weight.resize(result.list.index.size());
     for (unsigned int i = 0; i < cloud.size(); ++i)
       {
-        Tensor<2, 2> moment;
+        NeighbourSums sums{{0., 0., 0.},
+                           cloud.cells[i].area * shape.get_kernel().value(0.)};
         for (unsigned int k = result.list.start[i];
              k < result.list.start[i + 1];
              ++k)
           {
             const unsigned int j = result.list.index[k];
             const Tensor<1, 2> X = cloud.points[j] - cloud.points[i];
-            result.weight[k]     = cloud.cells[j].area *
-                               shape.get_kernel().gradient_weight(distance[k]) *
-                               X;
-            moment += outer_product(result.weight[k], X);
+            const double       V = cloud.cells[j].area;
+            const Tensor<1, 2> w =
+                V * shape.get_kernel().gradient_weight(distance[k]) * X;
+            result.weight[k] = w;
+            sums.moment.xx += w[0] * X[0];
+            sums.moment.yy += w[1] * X[1];
+            sums.moment.xy += w[0] * X[1];
+            sums.kernel += V * shape.get_kernel().value(distance[k]);
           }
-        const Tensor<2, 2> B = inverse_or_zero(moment);
+        const Symmetric2 B = gradient_correction(normalisation, sums);
         for (unsigned int k = result.list.start[i];
              k < result.list.start[i + 1];
              ++k)
-          result.weight[k] = B * result.weight[k];
+          {
+            const Tensor<1, 2> w = result.weight[k];
+            result.weight[k][0]  = B.xx * w[0] + B.xy * w[1];
+            result.weight[k][1]  = B.xy * w[0] + B.yy * w[1];
+          }
         result.volume.push_back(cloud.cells[i].area);
       }
     return result;

@@ -27,8 +27,9 @@ namespace Morsel::SPH
                      EquilibriumResults                       &results)
   {
     dealii::Timer timer;
-    gradient =
-        method.conforming ? conforming_gradient(shape) : matrix_gradient(shape);
+    gradient = method.gradient == Normalisation::conforming
+                   ? conforming_gradient(shape)
+                   : normalised_gradient(shape, method.gradient);
     control  = residual_control(shape, method.hourglass * youngs_modulus);
     boundary = boundary_facets(shape);
     results.operator_time = timer.wall_time();

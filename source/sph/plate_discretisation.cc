@@ -1,3 +1,4 @@
+#include <morsel/core/kernel.h>
 #include <morsel/sph/plate_discretisation.h>
 
 #include <deal.II/base/patterns.h>
@@ -33,19 +34,24 @@ namespace Morsel::SPH
         "Seed", seed, "Of the random offsets [1].", Patterns::Integer(0));
     prm.add_parameter("Kernel",
                       kernel,
-                      "Smoothing kernel: 'cubic B-spline' or 'Wendland C2'.",
-                      Patterns::Selection("cubic B-spline|Wendland C2"));
+                      "Smoothing kernel: 'cubic B-spline' (T3-33), 'quadratic' "
+                      "(T3-34), 'Wendland C2' or 'quintic spline'.",
+                      Patterns::Selection(kernel_names));
     prm.add_parameter(
         "Smoothing ratio",
         smoothing_ratio,
-        "Smoothing length over particle spacing, h/dp [1]; the support is 2 h.",
+        "Smoothing length over particle spacing, h/dp [1]; the support is 2 h, "
+        "of the quintic spline 3 h.",
         Patterns::Double(0.9, 3.));
-    prm.add_parameter("Gradient",
-                      gradient,
-                      "'conforming': averaged over Voronoi cells (stabilised "
-                      "conforming nodal integration), exact on any cloud; "
-                      "'matrix': normalised by the gradient matrix.",
-                      Patterns::Selection("conforming|matrix"));
+    prm.add_parameter(
+        "Gradient",
+        gradient,
+        "'conforming': averaged over Voronoi cells (stabilised "
+        "conforming nodal integration), exact on any cloud; else "
+        "that of the kernel, as it is ('none'), normalised by "
+        "T3-35 ('Shepard'), 'per axis' (Johnson and Beissel "
+        "1996) or by the gradient 'matrix'.",
+        Patterns::Selection("conforming|matrix|none|Shepard|per axis"));
     prm.add_parameter("Hourglass coefficient",
                       hourglass,
                       "Stiffness of the residual of the local linear fit, in "

@@ -51,7 +51,7 @@ namespace Morsel::SPH
     {
       return {kernel_named(plate.kernel),
               plate.smoothing_ratio,
-              plate.gradient != "matrix",
+              normalisation_named(plate.gradient),
               plate.hourglass};
     }
   } // namespace
@@ -88,16 +88,18 @@ namespace Morsel::SPH
   PlateProblem::PlateProblem(const PlateParameters              &parameters,
                              const std::vector<Fracture::Crack> &cracks,
                              double                              cloud_time)
-      : Equilibrium(fill(parameters, cracks, cloud_time),
-                    Visibility(cracks,
-                               tip_handling_named(parameters.tip_handling),
-                               2. * parameters.smoothing_ratio *
-                                   particle_spacing(parameters)),
-                    method_of(parameters),
-                    Fracture::ElasticPlane(parameters.youngs_modulus,
-                                           parameters.poissons_ratio,
-                                           parameters.plane_stress),
-                    parameters.youngs_modulus)
+      : Equilibrium(
+            fill(parameters, cracks, cloud_time),
+            Visibility(cracks,
+                       tip_handling_named(parameters.tip_handling),
+                       KernelShapes::support(kernel_named(parameters.kernel)) *
+                           parameters.smoothing_ratio *
+                           particle_spacing(parameters)),
+            method_of(parameters),
+            Fracture::ElasticPlane(parameters.youngs_modulus,
+                                   parameters.poissons_ratio,
+                                   parameters.plane_stress),
+            parameters.youngs_modulus)
       , parameters(parameters)
       , cracks(cracks)
       , tips(Fracture::collect_tips(cracks))
@@ -117,9 +119,7 @@ namespace Morsel::SPH
         const unsigned int normal  = side < 2 ? 0 : 1;
         const std::string &support = parameters.support[side];
         const Tensor<1, 2> displacement =
-            support == "displacement"
-                ? Fracture::displacement_of(parameters, side)
-                : Tensor<1, 2>();
+            Fracture::displacement_of(parameters, side);
         if (support != "free")
           {
             solid.hold(side, normal, displacement[normal]);

@@ -33,7 +33,9 @@ namespace Morsel::SPH
     {
       return {kernel_named(body.solid.kernel),
               body.solid.smoothing_ratio,
-              true,
+              body.solid.normalisation == "auto"
+                  ? Normalisation::conforming
+                  : normalisation_named(body.solid.normalisation),
               body.solid.hourglass};
     }
 
@@ -114,13 +116,15 @@ namespace Morsel::SPH
                          const Scene::ParticleBody &body,
                          const Cloud               &cloud,
                          const double               cloud_time)
-      : Equilibrium(cloud,
-                    Visibility(barriers_of(body, cloud.points),
-                               TipHandling::visibility,
-                               2. * body.solid.smoothing_ratio * body.spacing),
-                    method_of(body),
-                    material_of(body),
-                    body.material.youngs_modulus)
+      : Equilibrium(
+            cloud,
+            Visibility(barriers_of(body, cloud.points),
+                       TipHandling::visibility,
+                       KernelShapes::support(kernel_named(body.solid.kernel)) *
+                           body.solid.smoothing_ratio * body.spacing),
+            method_of(body),
+            material_of(body),
+            body.material.youngs_modulus)
       , scene(scene)
       , body(body)
       , outline(body.shape.outline())

@@ -1,4 +1,5 @@
 #include <morsel/core/errors.h>
+#include <morsel/core/number_list.h>
 #include <morsel/core/parallel.h>
 #include <morsel/sph/artificial_stress.h>
 #include <morsel/sph/body_cloud.h>
@@ -102,6 +103,9 @@ namespace Morsel::SPH
     artificial_heat.assign(n, 0.);
     artificial.assign(n, {0., 0., 0.});
     place.resize(n);
+    if (const auto s = number_list(body.initial_stress, 3); !s.empty())
+      sigma.assign(
+          n, {s[0], s[1], s[2], body.material.poissons_ratio * (s[0] + s[1])});
 
     constants.kernel        = kernel.kind;
     constants.normalisation = normalisation_named(body.normalisation());

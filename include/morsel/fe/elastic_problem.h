@@ -64,12 +64,14 @@ namespace Morsel::FE
     void
     pin(const dealii::Point<2> &point, const unsigned int component);
 
-    /// Prescribed displacement [m] on the given parts of the boundary,
-    /// imposed as the L2 projection on the trace of the enriched space, so
-    /// that it may jump where a crack meets the boundary. One rank only.
+    /// Prescribed displacement [m] on the given parts of the boundary, or
+    /// the chosen components of it, imposed as the L2 projection on the trace
+    /// of the enriched space, so that it may jump where a crack meets the
+    /// boundary. One rank only.
     void
     prescribe(const std::set<dealii::types::boundary_id> &ids,
-              const Field                                &displacement);
+              const Field                                &displacement,
+              const std::array<bool, 2> &components = {{true, true}});
 
     /// Solves and returns the displacement in the space's dofs, with ghost
     /// values.

@@ -23,6 +23,8 @@ namespace Morsel::Fracture
     dealii::Point<2> lower_corner;
     dealii::Point<2> upper_corner{0.01, 0.01}; ///< [m]
 
+    std::string observed_points; ///< "name: x, y; ..."
+
     double youngs_modulus = 1e7; ///< [Pa]
     double poissons_ratio = 0.3;
     bool   plane_stress   = false;
@@ -76,6 +78,21 @@ namespace Morsel::Fracture
   traction_on(const PlateScene &parameters, const unsigned int side);
   dealii::Tensor<1, 2>
   displacement_of(const PlateScene &parameters, const unsigned int side);
+
+
+  /// A place whose displacement and stress are told.
+  struct ObservedPoint
+  {
+    std::string      name;
+    dealii::Point<2> place; ///< [m]
+  };
+
+  /// Those of "Plate/Observed points".
+  /// @throws InputError for anything else than 'name: x, y; ...', a name with
+  ///   other characters than letters, digits and '_', given twice, or a place
+  ///   outside of the plate
+  std::vector<ObservedPoint>
+  observed_points(const PlateScene &parameters);
 
 
   /// Whether tractions load the plate, or displacements of its sides do,

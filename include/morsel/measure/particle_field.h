@@ -24,6 +24,29 @@ namespace Morsel::Measure
   stress_noise(const SPH::DeformableBody &body, unsigned int particles_across);
 
 
+  /// Mean stress along the axes and its standard deviation over the particles
+  /// with a full support [Pa].
+  struct InteriorStress
+  {
+    unsigned int count   = 0; ///< of such particles
+    double       mean_xx = 0., mean_yy = 0.;
+    double       deviation_xx = 0., deviation_yy = 0.;
+  };
+
+  /// @param support radius of the kernel [m]
+  InteriorStress
+  interior_stress(const SPH::DeformableBody &body,
+                  const Scene::ParticleBody &shape,
+                  double                     support);
+
+
+  /// Root mean square of what a particle's velocity differs from the mean of
+  /// its four neighbours in the lattice [m/s]: smooth motion does not count.
+  double
+  velocity_roughness(const SPH::Particles &particles,
+                     unsigned int          particles_across);
+
+
   /// Largest error of the velocity gradient's symmetric part [1/s], by where
   /// particles stand: with a full support, in the outermost row with a full
   /// support along it, and in the corners.

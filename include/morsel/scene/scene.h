@@ -31,6 +31,7 @@ namespace Morsel::Scene
     double           scatter          = 0.;        ///< in spacings [1]
     dealii::Point<2> initial_velocity;             ///< [m/s]
     std::string      initial_velocity_field;       ///< adds to it [m/s]
+    std::string      initial_stress;               ///< xx, yy, xy [Pa] or empty
     /// Known gradient of the velocity at time 0, xx, xy, yx, yy [1/s]; empty
     /// where it is not asked for.
     std::string expected_velocity_gradient;

@@ -4,6 +4,7 @@
 #include <morsel/core/kernel.h>
 #include <morsel/sph/cloud.h>
 #include <morsel/sph/neighbours.h>
+#include <morsel/sph/normalisation.h>
 #include <morsel/sph/shape_functions.h>
 
 #include <deal.II/base/tensor.h>
@@ -44,12 +45,13 @@ namespace Morsel::SPH
   };
 
 
-  /// G_ij of the gradient matrix (Randles and Libersky 1996), exact for
-  /// linear fields: G_ij = V_j |W'|/R B_i X_ij,
-  /// B_i = (sum_j V_j |W'|/R X_ij (x) X_ij)^-1. Pairs that do not see each
-  /// other are left out.
+  /// G_ij of the kernel's gradient, normalised: G_ij = V_j |W'|/R B_i X_ij,
+  /// with the gradient matrix (Randles and Libersky 1996) exact for linear
+  /// fields, B_i = (sum_j V_j |W'|/R X_ij (x) X_ij)^-1. Pairs that do not see
+  /// each other are left out.
   DiscreteGradient
-  matrix_gradient(const ShapeFunctions &shape);
+  normalised_gradient(const ShapeFunctions &shape,
+                      const Normalisation   normalisation);
 
 
   /// G_ij of stabilised conforming nodal integration (Chen, Wu, Yoon and You

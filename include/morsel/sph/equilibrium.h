@@ -28,10 +28,10 @@ namespace Morsel::SPH
   /// How a particle body is discretised, its cloud apart.
   struct EquilibriumMethod
   {
-    KernelKind kernel          = KernelKind::cubic_b_spline;
-    double     smoothing_ratio = 1.3;
-    bool       conforming      = true; ///< else by the gradient matrix
-    double     hourglass       = 0.3;  ///< [Young's moduli]
+    KernelKind    kernel          = KernelKind::cubic_b_spline;
+    double        smoothing_ratio = 1.3;
+    Normalisation gradient        = Normalisation::conforming;
+    double        hourglass       = 0.3; ///< [Young's moduli]
   };
 
 

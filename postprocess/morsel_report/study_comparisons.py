@@ -1,0 +1,112 @@
+"""Figures of a study over two axes, and of runs side by side."""
+import math
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from . import kernels, style
+from .study_data import (COLOURS, axis_label, free_axes, groups_of, in_figure,
+                         leading_axes, runs_with)
+
+
+def over_two_axes(study, quantity):
+    """The quantity over two axes, as a table in colours; the error where
+    there is a truth."""
+    runs = runs_with(study, quantity)
+    axes = free_axes(study, runs)
+    if len(axes) != 2 or kernels.is_stability_study(study):
+        return None
+    others = [n for n in leading_axes(study) if n not in axes]
+    groups = [(series["title"], key, members) for series in study.series
+              for key, members in groups_of(
+                  [r for r in study.of_series(series["name"]) if r in runs],
+                  others).items()]
+    errors = study.has_errors(quantity)
+    unit = study.quantities[quantity]["unit"]
+
+    def number_of(run):
+        entry = run["quantities"][quantity]
+        return 100 * entry["error"] if errors else entry["value"]
+
+    top = max(abs(number_of(r)) for r in runs)
+    factor, prefixed = (1.0, "%") if errors else style.prefix_of(top, unit)
+    signed = min(number_of(r) for r in runs) < -0.05 * top
+    columns = min(3, len(groups))
+    x, y = ([sorted({r["axes"][n] for r in runs}) for n in axes])
+    figure, grid = plt.subplots(
+        math.ceil(len(groups) / columns), columns, squeeze=False,
+        sharex=True, sharey=True, layout="constrained",
+        figsize=(max(6.4, columns * (0.62 * len(x) + 0.6) + 1.6),
+                 math.ceil(len(groups) / columns) * (0.42 * len(y) + 1.3)))
+    for axes_, (title, key, members) in zip(grid.flat, groups):
+        table_ = np.full((len(y), len(x)), np.nan)
+        for r in members:
+            table_[y.index(r["axes"][axes[1]]),
+                   x.index(r["axes"][axes[0]])] = factor * number_of(r)
+        shown = axes_.imshow(
+            table_, origin="lower", aspect="auto",
+            cmap="RdBu_r" if signed else "YlOrRd",
+            vmin=-factor * top if signed else 0, vmax=factor * top)
+        axes_.grid(False)
+        for i, j in np.argwhere(np.isfinite(table_)):
+            axes_.text(j, i, style.digits(table_[i, j], 3), ha="center",
+                       va="center", fontsize=8,
+                       color="white" if abs(table_[i, j]) > 0.6 * factor * top
+                       else style.INK)
+        axes_.set_xticks(range(len(x)), [f"{v:g}" for v in x])
+        axes_.set_yticks(range(len(y)), [f"{v:g}" for v in y])
+        parts = [title] if len(study.series) > 1 else []
+        axes_.set_title(", ".join(
+            parts + [study.name_of(a, members[0]) for a, _ in key]))
+    for axes_ in grid[-1]:
+        axes_.set_xlabel(axis_label(study.axes[axes[0]]["label"],
+                                    study.axes[axes[0]]["unit"]))
+    for axes_ in grid[:, 0]:
+        axes_.set_ylabel(axis_label(study.axes[axes[1]]["label"],
+                                    study.axes[axes[1]]["unit"]))
+    label = in_figure(study.quantities[quantity]["label"])
+    figure.colorbar(shown, ax=grid, label=axis_label(
+        f"Error of {label}" if errors else label, prefixed))
+    return figure
+
+
+def side_by_side(study, quantity):
+    """Series, and what texts tell apart, below each other: errors or values."""
+    runs = runs_with(study, quantity)
+    if (len(runs) < 3 or study.random_axes() or study.converges(quantity)
+            or free_axes(study, runs)):
+        return None
+    errors = study.has_errors(quantity)
+    if errors:
+        runs = [r for r in runs
+                if r["quantities"][quantity]["error"] is not None]
+        values = [100 * r["quantities"][quantity]["error"] for r in runs]
+        unit = "%"
+    else:
+        values = [r["quantities"][quantity]["value"] for r in runs]
+        factor, unit = style.prefix_of(
+            max(map(abs, values)), study.quantities[quantity]["unit"])
+        values = [factor * v for v in values]
+    titles = {s["name"]: s["title"] for s in study.series}
+    order = {s["name"]: k for k, s in enumerate(study.series)}
+    figure, axes = plt.subplots(figsize=(7.4, 0.3 * len(runs) + 1.1),
+                                layout="constrained")
+    for i, (run, value) in enumerate(zip(runs, values)):
+        colour = COLOURS[order[run["series"]] % len(COLOURS)]
+        axes.plot([0, value], [i, i], color=colour, lw=1.2, alpha=0.5)
+        axes.plot(value, i, "o", color=colour, ms=6)
+        axes.annotate(style.digits(value, 3), (value, i), fontsize=8,
+                      textcoords="offset points", va="center",
+                      xytext=(8 if value >= 0 else -8, 0),
+                      ha="left" if value >= 0 else "right")
+    axes.set_yticks(range(len(runs)), [", ".join(
+        ([titles[r["series"]]] if len(study.series) > 1 else [])
+        + [study.name_of(a, r) for a in leading_axes(study) if a in r["axes"]])
+        for r in runs])
+    axes.set_ylim(len(runs) - 0.5, -0.5)
+    axes.axvline(0, color=style.INK, lw=0.8)
+    axes.margins(x=0.16)
+    axes.grid(axis="y", visible=False)
+    label = in_figure(study.quantities[quantity]["label"])
+    axes.set_xlabel(axis_label(f"Error of {label}" if errors else label, unit))
+    return figure

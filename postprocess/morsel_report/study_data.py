@@ -1,0 +1,171 @@
+"""A study's results, and how its axes and labels are shown."""
+import html
+import json
+import math
+import pathlib
+import re
+
+import matplotlib.pyplot as plt
+
+from . import style
+from .reader import NoRun
+
+COLOURS = [style.BLUE, style.RED, style.GREEN, style.PURPLE, style.ORANGE,
+           style.SKY, style.BLACK, "#8c6d31"]
+MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
+
+
+
+class Study:
+    """study.json of one folder."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        text = (self.folder / "study.json").read_text(encoding="utf-8")
+        try:
+            self.data = json.loads(text)
+        except json.JSONDecodeError as error:
+            raise NoRun(f"'{self.folder}/study.json' is not readable: "
+                        f"{error}.") from error
+        self.runs = self.data["runs"]
+        self.series = self.data["series"]
+        self.quantities = self.data["quantities"]
+        self.axes = self.data["axes"]
+
+    def of_series(self, name):
+        """The finished runs of a series."""
+        return [r for r in self.runs
+                if r["series"] == name and r["status"] == "finished"]
+
+    def error(self, run, quantity):
+        """|error| of a run, not below what the truth is known to; or None."""
+        error = run["quantities"][quantity]["error"]
+        if error is None:
+            return None
+        return max(abs(error), self.quantities[quantity]["truth_accuracy"],
+                   1e-16)
+
+    def has_errors(self, quantity):
+        """Whether any run has an error."""
+        return any(r["quantities"][quantity]["error"] is not None
+                   for r in self.runs)
+
+    def random_axes(self):
+        """The names of the axes whose values are draws."""
+        return [n for n, a in self.axes.items()
+                if a["kind"] in ("random", "seeds")]
+
+    def refines(self, axis):
+        """Whether the resolution goes along with an axis."""
+        for series in self.series:
+            runs = [r for r in self.of_series(series["name"])
+                    if r["resolution"] and axis in r["axes"]]
+            others = [n for n in self.axes if n != axis
+                      and self.axes[n]["together_with"] != axis]
+            for members in groups_of(runs, others).values():
+                found = [r["resolution"] for r in members]
+                if max(found) > 1.5 * min(found) > 0:
+                    return True
+        return False
+
+    def converges(self, quantity):
+        """Whether there are errors at three resolutions or more."""
+        return not self.random_axes() and any(
+            f["points"] > 2 for f in self.data["rates"]
+            if f["quantity"] == quantity)
+
+    def name_of(self, axis, run):
+        """"angle = 30°" of a run."""
+        value = run["axes"].get(axis)
+        unit = self.axes[axis]["unit"]
+        text = (str(value) if isinstance(value, str)
+                else style.digits(value) if value is not None else "")
+        unit = "" if unit == "1" else "\u202f" + style.pretty_unit(unit)
+        return f"{self.axes[axis]['label']} {text}{unit}"
+
+
+def in_figure(label):
+    """A label with its subscript, K_I, as matplotlib sets it."""
+    return re.sub(r"\b([A-Za-z])_(\w+)\b", r"$\1_{\\mathrm{\2}}$", label)
+
+
+def in_page(label):
+    """A label with its subscript as HTML."""
+    return re.sub(r"\b([A-Za-z])_(\w+)\b", r"\1<sub>\2</sub>",
+                  html.escape(label))
+
+
+def look(k):
+    """Colour and marker of the k-th series."""
+    return {"color": COLOURS[k % len(COLOURS)],
+            "marker": MARKERS[k % len(MARKERS)]}
+
+
+def axis_label(label, unit):
+    """A label with its unit in brackets."""
+    unit = style.pretty_unit(unit)
+    return label + (f" [{unit}]" if unit else "")
+
+
+def percent_ticks(axes):
+    """Ticks of a logarithmic axis of errors as percentages."""
+    def text(value, _):
+        power = math.log10(value) if value > 0 else 0
+        if abs(power - round(power)) > 1e-9:
+            return ""
+        shown = round(power) + 2
+        if -3 <= shown <= 3:
+            return f"{10.0 ** shown:g}\u202f%"
+        exponent = str(shown).translate(
+            str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+        return f"10{exponent}\u202f%"
+
+    axis = axes.yaxis
+    axis.set_major_formatter(plt.FuncFormatter(text))
+    axis.set_minor_formatter(plt.NullFormatter())
+    low, high = axis.get_view_interval()
+    if high < 30 * low:
+        # At least one power of ten on either side has a name.
+        axis.set_view_interval(10.0 ** math.floor(math.log10(low)),
+                               10.0 ** math.ceil(math.log10(high)), True)
+
+
+def plain_ticks(axis, values):
+    """Logarithmic ticks in plain numbers; few where there are many decades."""
+    range_of = max(values) / min(values)
+    if range_of < 1e4:
+        axis.set_major_formatter(plt.FuncFormatter(
+            lambda v, _: f"{v:,g}".replace(",", "\u202f")))
+    axis.set_minor_formatter(plt.FuncFormatter(
+        lambda v, _: f"{v:,g}".replace(",", "\u202f")
+        if range_of < 25 and f"{v:.0e}"[0] in "25" else ""))
+
+
+def groups_of(runs, separated):
+    """Runs by the values of some axes, in the order of the study."""
+    groups = {}
+    for run in runs:
+        key = tuple((a, run["axes"][a]) for a in separated if a in run["axes"])
+        groups.setdefault(key, []).append(run)
+    return groups
+
+
+def leading_axes(study):
+    """The axes that are neither draws nor go along with another one."""
+    return [n for n, a in study.axes.items()
+            if a["together_with"] not in study.axes
+            and n not in study.random_axes()]
+
+
+def free_axes(study, runs):
+    """The axes of three numbers or more that are no resolution."""
+    return [n for n in leading_axes(study)
+            if study.axes[n]["kind"] != "texts"
+            and len({r["axes"].get(n) for r in runs} - {None}) > 2
+            and not study.refines(n)]
+
+
+def runs_with(study, quantity):
+    """The runs that have the quantity."""
+    return [r for r in study.runs
+            if r["quantities"][quantity]["value"] is not None]
