@@ -351,8 +351,8 @@ BOOST_AUTO_TEST_CASE(a_moved_roller_draws_the_plate_out)
       problem.sample({points[0].place})[0].gradient);
   BOOST_TEST(std::abs(s[1][1] - exact) < 1e-8 * exact);
   BOOST_TEST(std::abs(s[0][0]) < 1e-8 * exact);
-  BOOST_TEST(Fracture::held_quantity(plate) ==
-             Fracture::HeldQuantity::displacement);
+  BOOST_TEST(
+      (Fracture::held_quantity(plate) == Fracture::HeldQuantity::displacement));
 }
 
 BOOST_AUTO_TEST_CASE(normalisations_of_the_kernel_gradient)
