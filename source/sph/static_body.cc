@@ -46,19 +46,6 @@ namespace Morsel::SPH
     }
 
 
-    /// The boundary as what hides particles from each other.
-    std::vector<Fracture::Crack>
-    walls(const Scene::Outline &outline)
-    {
-      std::vector<Fracture::Crack> result;
-      if (!outline.is_convex())
-        for (const Scene::Outline::Edge &edge : outline.get_edges())
-          result.emplace_back(
-              std::vector<Point<2>>{edge.first, edge.second}, false, false);
-      return result;
-    }
-
-
     /// The axis across a side of a rectangle, or 2.
     unsigned int
     axis_across(const Condition &condition, const Scene::ParticleBody &body)
@@ -116,9 +103,10 @@ namespace Morsel::SPH
                          const Scene::ParticleBody &body,
                          double                     cloud_time)
       : Equilibrium(timed_cloud(body, scene.seed, cloud_time),
-                    Visibility(walls(body.shape.outline()),
+                    Visibility({},
                                TipHandling::visibility,
-                               2. * body.solid.smoothing_ratio * body.spacing),
+                               2. * body.solid.smoothing_ratio * body.spacing,
+                               body.shape.outline().walls()),
                     method_of(body),
                     material_of(body),
                     body.material.youngs_modulus)
