@@ -22,9 +22,9 @@ namespace Morsel::Measure
       , cracks(SPH::cracks_of(scene))
       , tips(Fracture::collect_tips(cracks))
       , cloud(SPH::body_cloud(scene, seed))
-      , visibility(SPH::barriers_of(scene, cloud.points),
-                   SPH::TipHandling::visibility,
-                   2. * smoothing_ratio * cloud.spacing)
+      , visibility(SPH::visibility_in(scene,
+                                      cloud.points,
+                                      2. * smoothing_ratio * cloud.spacing))
       , shape(
             cloud,
             Kernel(KernelKind::cubic_b_spline, smoothing_ratio * cloud.spacing),

@@ -256,6 +256,13 @@ namespace Morsel::Scene
   }
 
 
+  std::vector<Outline::Edge>
+  Outline::walls() const
+  {
+    return is_convex() ? std::vector<Edge>() : edges;
+  }
+
+
   bool
   Outline::is_convex() const
   {

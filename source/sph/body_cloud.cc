@@ -22,6 +22,10 @@ namespace Morsel::SPH
     constexpr double closest_pair        = 0.7;   ///< of rows and lattice [dp]
     constexpr double sharp_turn          = 0.5;   ///< of the boundary [radians]
     constexpr double smallest_move       = 0.005; ///< that is worth a step [dp]
+    constexpr double facing = 0.95; ///< cosine between sides of a thin part
+    /// A cell that takes more [dp^2] has a part without a particle: the corner
+    /// of a lattice takes at most 1.75^2.
+    constexpr double largest_cell = 3.2;
 
 
     /// The square lattice over the bounding box, as far as it stands inside.
@@ -225,35 +229,52 @@ namespace Morsel::SPH
     }
 
 
-    /// Refuses cells that reach from one part of the boundary to another that
-    /// faces it: their body has no particle across.
+    /// Whether a cell has facets that face each other on two parts of the
+    /// boundary, between which it has neighbours.
+    bool
+    reaches_across(const VoronoiCell &cell)
+    {
+      std::vector<std::vector<Tensor<1, 2>>> normals(1);
+      for (const CellFacet &facet : cell.facets)
+        if (facet.at_boundary())
+          normals.back().push_back(facet.normal());
+        else if (!normals.back().empty())
+          normals.emplace_back();
+      // The list begins anywhere around the cell.
+      if (!cell.facets.front().at_boundary() ||
+          !cell.facets.back().at_boundary())
+        normals.emplace_back();
+      else if (normals.size() > 1)
+        {
+          normals.front().insert(normals.front().end(),
+                                 normals.back().begin(),
+                                 normals.back().end());
+          normals.back().clear();
+        }
+      for (unsigned int a = 0; a < normals.size(); ++a)
+        for (unsigned int b = 0; b < a; ++b)
+          for (const Tensor<1, 2> &n : normals[a])
+            for (const Tensor<1, 2> &m : normals[b])
+              if (n * m < -facing)
+                return true;
+      return false;
+    }
+
+
+    /// Refuses bodies that have not two particles across everywhere.
     void
     check_thickness(const Scene::ParticleBody &body, const Cloud &cloud)
     {
       for (unsigned int i = 0; i < cloud.size(); ++i)
-        {
-          const auto               &facets = cloud.cells[i].facets;
-          const unsigned int        n      = facets.size();
-          std::vector<Tensor<1, 2>> runs;
-          for (unsigned int k = 0; k < n; ++k)
-            if (facets[k].at_boundary())
-              {
-                if (!facets[(k + n - 1) % n].at_boundary())
-                  runs.emplace_back();
-                if (!runs.empty())
-                  runs.back() += facets[k].length() * facets[k].normal();
-              }
-          for (unsigned int k = 1; k < runs.size(); ++k)
-            if (runs[0] * runs[k] < -0.95 * runs[0].norm() * runs[k].norm())
-              throw InputError("Body '" + body.name +
-                               "' is thinner than two particles about (" +
-                               number_text(cloud.points[i][0]) + ", " +
-                               number_text(cloud.points[i][1]) +
-                               ") m: raise 'Body " + body.name +
-                               "/Particles/Particles across' (a spacing of " +
-                               number_text(cloud.spacing) +
-                               " m now), or make it thicker there.");
-        }
+        if (reaches_across(cloud.cells[i]) ||
+            cloud.cells[i].area > largest_cell * cloud.spacing * cloud.spacing)
+          throw InputError(
+              "Body '" + body.name + "' is thinner than two particles about (" +
+              number_text(cloud.points[i][0]) + ", " +
+              number_text(cloud.points[i][1]) + ") m: raise 'Body " +
+              body.name + "/Particles/Particles across' (a spacing of " +
+              number_text(cloud.spacing) +
+              " m now), or make it thicker there.");
     }
   } // namespace
 

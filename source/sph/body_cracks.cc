@@ -1,6 +1,5 @@
 #include <morsel/fracture/crack_paths.h>
 #include <morsel/sph/body_cracks.h>
-#include <morsel/sph/visibility.h>
 
 namespace Morsel::SPH
 {
@@ -23,22 +22,19 @@ namespace Morsel::SPH
   }
 
 
-  std::vector<Fracture::Crack>
-  barriers_of(const Scene::ParticleBody   &body,
-              const std::vector<Point<2>> &points)
+  Visibility
+  visibility_in(const Scene::ParticleBody   &body,
+                const std::vector<Point<2>> &points,
+                const double                 reach)
   {
-    std::vector<Fracture::Crack> barriers = cracks_of(body);
+    const std::vector<Fracture::Crack> cracks = cracks_of(body);
     check_off_cracks(points,
-                     barriers,
+                     cracks,
                      body.spacing,
                      "choose numbers of particles that put no row of body '" +
                          body.name +
                          "' there (even ones for a crack at mid height).");
-    const Scene::Outline outline = body.shape.outline();
-    if (!outline.is_convex())
-      for (const Scene::Outline::Edge &edge : outline.get_edges())
-        barriers.emplace_back(
-            std::vector<Point<2>>{edge.first, edge.second}, false, false);
-    return barriers;
+    return Visibility(
+        cracks, TipHandling::visibility, reach, body.shape.outline().walls());
   }
 } // namespace Morsel::SPH

@@ -1,5 +1,4 @@
 #include <morsel/sph/bonds.h>
-#include <morsel/sph/visibility.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,15 +6,13 @@
 namespace Morsel::SPH
 {
   void
-  Bonds::build(const Particles                    &particles,
-               const Kernel                       &kernel,
-               const std::vector<Fracture::Crack> &cracks)
+  Bonds::build(const Particles  &particles,
+               const Kernel     &kernel,
+               const Visibility &visibility)
   {
     list = find_neighbours(
         particles.reference, particles.n_owned, kernel.support());
-    keep_visible(list,
-                 particles.reference,
-                 {cracks, TipHandling::visibility, kernel.support()});
+    keep_visible(list, particles.reference, visibility);
     set_offsets(particles);
     weight.resize(list.index.size());
     for (unsigned int k = 0; k < weight.size(); ++k)

@@ -35,13 +35,11 @@ namespace Morsel::SPH
 
 
   void
-  Bonds::build_conforming(const Particles                    &particles,
-                          const Cloud                        &cloud,
-                          const Kernel                       &kernel,
-                          const std::vector<Fracture::Crack> &cracks)
+  Bonds::build_conforming(const Particles  &particles,
+                          const Cloud      &cloud,
+                          const Kernel     &kernel,
+                          const Visibility &visibility)
   {
-    const Visibility visibility(
-        cracks, TipHandling::visibility, kernel.support());
     const ShapeFunctions   shape(cloud, kernel, visibility);
     const DiscreteGradient gradient = conforming_gradient(shape);
     const ResidualControl  control  = residual_control(shape, 1.);

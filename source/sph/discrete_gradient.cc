@@ -185,6 +185,8 @@ namespace Morsel::SPH
                 const Point<2> &other = cloud.points[facet.neighbour];
                 if (shape.get_visibility().sees(eye, other))
                   eye += 0.5 * (other - eye);
+                else if (shape.get_visibility().are_joined(eye, other))
+                  eye = facet.first + 0.5 * (facet.second - facet.first);
               }
             const Tensor<1, 2> half = 0.5 * facet.length() * facet.normal();
             for (const Point<2> &x : gauss_points(facet))

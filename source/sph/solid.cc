@@ -108,11 +108,12 @@ namespace Morsel::SPH
     else
       take_cells(cloud);
     allocate(body);
-    const auto barriers = barriers_of(body, particles.reference);
+    const Visibility visibility =
+        visibility_in(body, particles.reference, kernel.support());
     if (cells)
-      bonds.build_conforming(particles, cloud, kernel, barriers);
+      bonds.build_conforming(particles, cloud, kernel, visibility);
     else
-      bonds.build(particles, kernel, barriers);
+      bonds.build(particles, kernel, visibility);
     normalise(body);
   }
 

@@ -116,15 +116,15 @@ namespace Morsel::SPH
                          const Scene::ParticleBody &body,
                          const Cloud               &cloud,
                          const double               cloud_time)
-      : Equilibrium(
-            cloud,
-            Visibility(barriers_of(body, cloud.points),
-                       TipHandling::visibility,
-                       KernelShapes::support(kernel_named(body.solid.kernel)) *
-                           body.solid.smoothing_ratio * body.spacing),
-            method_of(body),
-            material_of(body),
-            body.material.youngs_modulus)
+      : Equilibrium(cloud,
+                    visibility_in(
+                        body,
+                        cloud.points,
+                        KernelShapes::support(kernel_named(body.solid.kernel)) *
+                            body.solid.smoothing_ratio * body.spacing),
+                    method_of(body),
+                    material_of(body),
+                    body.material.youngs_modulus)
       , scene(scene)
       , body(body)
       , outline(body.shape.outline())

@@ -21,9 +21,11 @@ namespace Morsel::SPH
     /// is long; multipliers take away what it yields, the faster the stiffer
     /// it is.
     constexpr double       penalty                       = 1e3;
-    constexpr unsigned int largest_multiplier_step_count = 20;
+    constexpr unsigned int simple_multiplier_step_count  = 8;
+    constexpr unsigned int largest_multiplier_step_count = 60;
     constexpr double       final_tolerance               = 1e-13;
     constexpr double       gap_tolerance                 = 1e-12;
+    constexpr double       dual_tolerance                = 1e-11;
     constexpr unsigned int largest_iteration_count       = 2000;
 
 
@@ -286,22 +288,13 @@ namespace Morsel::SPH
   }
 
 
-  unsigned int
-  StaticSolid::improve(Vector<double>      &x,
-                       const Factorisation &factors,
-                       const double         tolerance)
+  void
+  StaticSolid::solve_linear(Vector<double>       &x,
+                            const Vector<double> &rhs,
+                            const Factorisation  &factors,
+                            const double          tolerance)
   {
-    Vector<double> rhs   = outer_force();
-    const double   force = rhs.l2_norm();
-    for (const Constraint &c : constraints)
-      for (unsigned int k = 0; k < c.index.size(); ++k)
-        for (unsigned int d = 0; d < 2; ++d)
-          rhs(2 * c.index[k] + d) += c.stiffness * c.target * c.weight[k][d];
-    // The penalty times a prescribed displacement exceeds the reactions by far;
-    // before the first step of the multipliers it is all there is.
-    SolverControl            control(largest_iteration_count,
-                          force > 0. ? tolerance * force + 1e-15 * rhs.l2_norm()
-                                                : tolerance * rhs.l2_norm());
+    SolverControl            control(largest_iteration_count, tolerance);
     SolverCG<Vector<double>> solver(control);
     solver.connect_condition_number_slot([&](const double condition) {
       report.condition_number = std::max(report.condition_number, condition);
@@ -318,7 +311,83 @@ namespace Morsel::SPH
             " iterations: the body is hardly held, or zero-energy modes are "
             "free; raise 'SPH/Hourglass coefficient' or support the body.");
       }
-    return control.last_step();
+    report.n_iterations += control.last_step();
+  }
+
+
+  void
+  StaticSolid::improve(Vector<double>      &x,
+                       const Factorisation &factors,
+                       const double         tolerance)
+  {
+    Vector<double> rhs   = outer_force();
+    const double   force = rhs.l2_norm();
+    for (const Constraint &c : constraints)
+      for (unsigned int k = 0; k < c.index.size(); ++k)
+        for (unsigned int d = 0; d < 2; ++d)
+          rhs(2 * c.index[k] + d) += c.stiffness * c.target * c.weight[k][d];
+    // The penalty times a prescribed displacement exceeds the reactions by far;
+    // before the first step of the multipliers it is all there is.
+    solve_linear(x,
+                 rhs,
+                 factors,
+                 force > 0. ? tolerance * force + 1e-15 * rhs.l2_norm()
+                            : tolerance * rhs.l2_norm());
+  }
+
+
+  void
+  StaticSolid::improve_multipliers(Vector<double>      &x,
+                                   const Factorisation &factors)
+  {
+    improve(x, factors, final_tolerance);
+    const unsigned int  n = constraints.size();
+    std::vector<double> gap(n), direction(n, 0.), change(n);
+    const VectorField   u = to_field(x);
+    for (unsigned int c = 0; c < n; ++c)
+      gap[c] = trace(constraints[c], u) - constraints[c].target;
+    double old_product = 0.;
+    for (unsigned int step = 0; step < largest_multiplier_step_count; ++step)
+      {
+        double product = 0., largest_gap = 0.;
+        for (unsigned int c = 0; c < n; ++c)
+          {
+            product += constraints[c].stiffness * gap[c] * gap[c];
+            largest_gap =
+                std::max(largest_gap, std::abs(gap[c]) / constraints[c].scale);
+          }
+        if (largest_gap < 0.1 * gap_tolerance * largest(to_field(x)))
+          break;
+        const double beta = step == 0 ? 0. : product / old_product;
+        old_product       = product;
+        VectorField force(load.size());
+        for (unsigned int c = 0; c < n; ++c)
+          {
+            direction[c] =
+                constraints[c].stiffness * gap[c] + beta * direction[c];
+            for (unsigned int k = 0; k < constraints[c].index.size(); ++k)
+              force[constraints[c].index[k]] +=
+                  direction[c] * constraints[c].weight[k];
+          }
+        Vector<double>       response(x.size());
+        const Vector<double> rhs = to_vector(force);
+        solve_linear(response, rhs, factors, dual_tolerance * rhs.l2_norm());
+        const VectorField moved     = to_field(response);
+        double            curvature = 0.;
+        for (unsigned int c = 0; c < n; ++c)
+          {
+            change[c] = trace(constraints[c], moved);
+            curvature += direction[c] * change[c];
+          }
+        const double alpha = product / curvature;
+        for (unsigned int c = 0; c < n; ++c)
+          {
+            constraints[c].multiplier += alpha * direction[c];
+            gap[c] -= alpha * change[c];
+          }
+        x.add(-alpha, response);
+        ++report.n_multiplier_steps;
+      }
   }
 
 
@@ -336,17 +405,22 @@ namespace Morsel::SPH
     timer.restart();
 
     Vector<double> x(n_dofs);
-    for (double tolerance = 1e-4;;)
+    const auto     step = [&](const double tolerance) {
+      improve(x, factors, tolerance);
+      update_multipliers(to_field(x));
+      ++report.n_multiplier_steps;
+      return tolerance <= final_tolerance && report.support_gap < gap_tolerance;
+    };
+    bool found = false;
+    for (double tolerance = 1e-4;
+         !found && report.n_multiplier_steps < simple_multiplier_step_count;
+         // Every step of the multipliers gains as many digits.
+         tolerance = std::max(final_tolerance, tolerance / penalty))
+      found = step(tolerance);
+    if (!found)
       {
-        report.n_iterations += improve(x, factors, tolerance);
-        update_multipliers(to_field(x));
-        ++report.n_multiplier_steps;
-        if ((tolerance <= final_tolerance &&
-             report.support_gap < gap_tolerance) ||
-            report.n_multiplier_steps == largest_multiplier_step_count)
-          break;
-        // Every step of the multipliers gains as many digits.
-        tolerance = std::max(final_tolerance, tolerance / penalty);
+        improve_multipliers(x, factors);
+        step(final_tolerance);
       }
     const VectorField    u       = to_field(x);
     Vector<double>       balance = to_vector(inner_force(u));

@@ -72,9 +72,7 @@ namespace Morsel::SPH
       , kernel(kernel_named(body.solid.kernel),
                body.solid.smoothing_ratio * body.spacing)
       , skin(skin_ratio * body.spacing)
-      , visibility(barriers_of(body, cloud.points),
-                   TipHandling::visibility,
-                   kernel.support())
+      , visibility(visibility_in(body, cloud.points, kernel.support()))
   {
     const double dp     = body.spacing;
     particles.reference = cloud.points;

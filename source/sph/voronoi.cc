@@ -183,17 +183,35 @@ namespace Morsel::SPH
                 const Scene::Outline        &outline,
                 const double                 spacing)
   {
-    const double first_reach = 1.7 * spacing;
+    // Most cells are found from few candidates in a small box.
+    const double usual_radius = 3. * spacing, usual_reach = 1.7 * spacing;
+    const double grid_radius = 2. * std::sqrt(2.) * usual_reach;
     CellGrid     grid;
-    grid.build(points, 2. * std::sqrt(2.) * first_reach);
+    grid.build(points, grid_radius);
     const OutlineCut         cut(outline, points, spacing);
     std::vector<VoronoiCell> cells(points.size());
-    const auto               make = [&](const unsigned int         i,
-                          const double               reach,
-                          std::vector<unsigned int> &candidates) {
-      const Point<2>    &x = points[i];
-      const Tensor<1, 2> corner({reach, reach});
-      sort_by_distance(points, x, candidates);
+
+    const auto gather = [&](const unsigned int         i,
+                            const double               radius,
+                            std::vector<unsigned int> &candidates) {
+      candidates.clear();
+      const auto add = [&](const unsigned int j) {
+        if (j != i && points[i].distance_square(points[j]) <= radius * radius)
+          candidates.push_back(j);
+      };
+      if (radius <= grid_radius)
+        grid.for_each_near(points[i], add);
+      else
+        for (unsigned int j = 0; j < points.size(); ++j)
+          add(j);
+      sort_by_distance(points, points[i], candidates);
+    };
+    // The cell as far as a box about its point and the candidates tell.
+    const auto convex_cell = [&](const unsigned int               i,
+                                 const double                     reach,
+                                 const std::vector<unsigned int> &candidates) {
+      const Point<2>        &x = points[i];
+      const Tensor<1, 2>     corner({reach, reach});
       std::vector<CellFacet> convex = rectangle(x - corner, x + corner);
       for (const unsigned int j : candidates)
         {
@@ -202,27 +220,25 @@ namespace Morsel::SPH
             break;
           clip(convex, x + 0.5 * d, d / d.norm(), j, 1e-10 * spacing);
         }
-      cells[i].facets = cut(i, convex);
-      return !cells[i].facets.empty();
+      return convex;
     };
     parallel_for(points.size(), [&](const auto begin, const auto end) {
       std::vector<unsigned int> candidates;
       for (unsigned int i = begin; i < end; ++i)
         {
-          candidates.clear();
-          grid.for_each_near(points[i], [&](const unsigned int j) {
-            if (j != i)
-              candidates.push_back(j);
-          });
-          double reach = first_reach;
-          while (!make(i, reach, candidates))
+          double reach = usual_reach;
+          while (cells[i].facets.empty())
             {
-              // A hole in the cloud: every other point may be a neighbour.
+              gather(i, usual_radius, candidates);
+              auto         convex = convex_cell(i, reach, candidates);
+              const double needed = 2. * largest_distance(convex, points[i]);
+              if (needed > usual_radius)
+                {
+                  gather(i, needed, candidates);
+                  convex = convex_cell(i, reach, candidates);
+                }
+              cells[i].facets = cut(i, convex);
               reach *= 2.;
-              candidates.clear();
-              for (unsigned int j = 0; j < points.size(); ++j)
-                if (j != i)
-                  candidates.push_back(j);
             }
           measure(cells[i], points[i]);
         }

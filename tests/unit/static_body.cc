@@ -203,11 +203,13 @@ BOOST_AUTO_TEST_CASE(forces_and_reactions_are_in_balance)
 
 BOOST_AUTO_TEST_CASE(lames_cylinder)
 {
-  for (const Filling &filling : fillings)
+  // 10 particles across the wall; measured: 0.3 %, 7 % and 0.3 % at most.
+  for (const Filling &filling :
+       std::vector<Filling>{{"lattice", 0.}, {"lattice", 0.2}, {"relaxed", 0.}})
     BOOST_TEST_CONTEXT(filling.kind << ' ' << filling.scatter)
     {
       Scene::Scene scene =
-          scene_of(ring("0, 90"), 16, filling.kind, filling.scatter);
+          scene_of(ring("0, 90"), 20, filling.kind, filling.scatter);
       add(scene, "inner", "pressure", "1; 0");
       add(scene, "first", "roller");
       add(scene, "last", "roller");
@@ -215,11 +217,11 @@ BOOST_AUTO_TEST_CASE(lames_cylinder)
       const auto     &results = body.run();
       const Point<2>  a(1., 0.);
       const auto      sample = body.observe(a);
-      BOOST_TEST(std::abs(sample.value[0] / 1.906667e-3 - 1.) < 0.01);
+      BOOST_TEST(std::abs(sample.value[0] / 1.906667e-3 - 1.) < 0.006);
       BOOST_TEST(
           std::abs(body.get_material().stress(sample.gradient)[1][1] / 1.66667 -
-                   1.) < 0.12);
-      BOOST_TEST(std::abs(results.strain_energy / 1.497492e-3 - 1.) < 0.01);
+                   1.) < 0.1);
+      BOOST_TEST(std::abs(results.strain_energy / 1.497492e-3 - 1.) < 0.005);
     }
 }
 

@@ -95,11 +95,15 @@ namespace Morsel::Scene
     double
     distance(const dealii::Point<2> &p) const;
 
-    /// Whether straight lines between points of the body can leave it.
+    /// The edges that straight lines between points of the body may cross:
+    /// all, or none of a convex body's.
+    std::vector<Edge>
+    walls() const;
+
+  private:
     bool
     is_convex() const;
 
-  private:
     std::vector<Edge>         edges;
     std::vector<unsigned int> starts;
     std::vector<std::string>  names;

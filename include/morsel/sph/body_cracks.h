@@ -3,6 +3,7 @@
 
 #include <morsel/fracture/crack.h>
 #include <morsel/scene/scene.h>
+#include <morsel/sph/visibility.h>
 
 #include <vector>
 
@@ -14,13 +15,14 @@ namespace Morsel::SPH
   cracks_of(const Scene::ParticleBody &body);
 
 
-  /// What hides particles of a body from each other: its cracks, and its
-  /// boundary if straight lines between particles can leave it.
+  /// Who sees whom in a body with its cracks, in its reference configuration.
   /// @param points the particles [m]
+  /// @param reach  support radius of the kernel [m]
   /// @throws InputError, see cracks_of(), and for a particle on a crack
-  std::vector<Fracture::Crack>
-  barriers_of(const Scene::ParticleBody           &body,
-              const std::vector<dealii::Point<2>> &points);
+  Visibility
+  visibility_in(const Scene::ParticleBody           &body,
+                const std::vector<dealii::Point<2>> &points,
+                const double                         reach);
 } // namespace Morsel::SPH
 
 #endif

@@ -2,10 +2,10 @@
 #define morsel_sph_bonds_h
 
 #include <morsel/core/kernel.h>
-#include <morsel/fracture/crack.h>
 #include <morsel/sph/cloud.h>
 #include <morsel/sph/neighbours.h>
 #include <morsel/sph/particles.h>
+#include <morsel/sph/visibility.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -66,19 +66,19 @@ namespace Morsel::SPH
     /// The eigenvalues of moment() inside of a body [1].
     double full_moment = 1.;
 
-    /// Pairs that do not see each other past the @p cracks have no bond.
+    /// Pairs that do not see each other have no bond.
     void
-    build(const Particles                    &particles,
-          const Kernel                       &kernel,
-          const std::vector<Fracture::Crack> &cracks = {});
+    build(const Particles  &particles,
+          const Kernel     &kernel,
+          const Visibility &visibility = Visibility());
 
     /// The same with the conforming gradient.
     /// @param cloud the particles' in their order, on one rank
     void
-    build_conforming(const Particles                    &particles,
-                     const Cloud                        &cloud,
-                     const Kernel                       &kernel,
-                     const std::vector<Fracture::Crack> &cracks = {});
+    build_conforming(const Particles  &particles,
+                     const Cloud      &cloud,
+                     const Kernel     &kernel,
+                     const Visibility &visibility = Visibility());
 
     bool
     is_conforming() const

@@ -58,7 +58,9 @@ namespace Morsel::SPH
   /// 2001): 1/V_i times the integral of Phi_j n over the boundary of i's
   /// Voronoi cell, two Gauss points per facet (one breaks the patch test).
   /// The facet between two particles that see each other is seen from the
-  /// middle between them by both; a facet on a crack from its owner.
+  /// middle between them by both; a facet on a crack from its owner, and one
+  /// between two whose line of sight leaves the body at a notch from its own
+  /// middle.
   DiscreteGradient
   conforming_gradient(const ShapeFunctions &shape);
 

@@ -138,12 +138,26 @@ namespace Morsel::SPH
     struct Operator;
     class Factorisation;
 
+    /// Solves operator x = rhs by conjugate gradients, from the present x.
+    /// @param tolerance of the residual's norm
+    void
+    solve_linear(dealii::Vector<double>       &x,
+                 const dealii::Vector<double> &rhs,
+                 const Factorisation          &factors,
+                 const double                  tolerance);
+
     /// Solves for the present multipliers, from the present x.
-    /// @return number of iterations
-    unsigned int
+    void
     improve(dealii::Vector<double> &x,
             const Factorisation    &factors,
             const double            tolerance);
+
+    /// Finds the multipliers where supports depend on each other nearly, so
+    /// that steps of them gain little: conjugate gradients on the
+    /// supports' gaps, preconditioned by the penalties.
+    void
+    improve_multipliers(dealii::Vector<double> &x,
+                        const Factorisation    &factors);
 
     /// The stiffness matrix, penalties of the supports included, times x.
     dealii::Vector<double>

@@ -2,6 +2,7 @@
 #define morsel_sph_visibility_h
 
 #include <morsel/fracture/crack.h>
+#include <morsel/scene/outline.h>
 #include <morsel/sph/neighbours.h>
 
 #include <deal.II/base/point.h>
@@ -28,27 +29,75 @@ namespace Morsel::SPH
   tip_handling_named(const std::string &name);
 
 
+  /// Walls sorted into square cells, so that a line of sight meets few.
+  class WallGrid
+  {
+  public:
+    WallGrid(const std::vector<Scene::Outline::Edge> &edges,
+             const double                             cell_size);
+
+    bool
+    empty() const
+    {
+      return walls.empty();
+    }
+
+    /// Whether the straight line crosses a wall.
+    bool
+    separates(const dealii::Point<2> &p, const dealii::Point<2> &q) const;
+
+  private:
+    /// Calls f(list of walls) for the cells that a bounding box overlaps,
+    /// until it returns true.
+    template <typename Lists, typename Function>
+    bool
+    any_cell(Lists                  &lists,
+             const dealii::Point<2> &p,
+             const dealii::Point<2> &q,
+             const Function         &f) const;
+
+    std::vector<Fracture::Crack>           walls;
+    double                                 size;
+    dealii::Point<2>                       origin;
+    unsigned int                           n_x = 0, n_y = 0;
+    std::vector<std::vector<unsigned int>> cells; ///< walls of each
+  };
+
+
   /// How far two places are from each other in a cracked body.
   class Visibility
   {
   public:
     static constexpr double hidden = 1e300;
 
-    /// @param reach support radius of the kernel [m]
-    Visibility(const std::vector<Fracture::Crack> &cracks,
-               const TipHandling                   handling,
-               const double                        reach);
+    /// Everything sees everything.
+    Visibility()
+        : Visibility({}, TipHandling::visibility, 1.)
+    {}
 
-    /// Whether the straight line crosses no crack. A line through a tip
-    /// crosses none.
+    /// @param reach support radius of the kernel [m]
+    /// @param walls edges of the body: lines of sight do not leave it
+    Visibility(const std::vector<Fracture::Crack>      &cracks,
+               const TipHandling                        handling,
+               const double                             reach,
+               const std::vector<Scene::Outline::Edge> &walls = {});
+
+    /// Whether the straight line crosses neither crack nor wall. A line
+    /// through a tip crosses no crack.
     bool
     sees(const dealii::Point<2> &p, const dealii::Point<2> &q) const;
 
+    /// Whether some pair may not see each other.
     bool
-    has_cracks() const
+    hides() const
     {
-      return !cracks.empty();
+      return !cracks.empty() || !walls.empty();
     }
+
+    /// Whether two neighbours are parts of one body: no crack runs between
+    /// them, though a notch may stand in their sight.
+    bool
+    are_joined(const dealii::Point<2> &p, const dealii::Point<2> &q) const;
 
     /// The distance that the kernel takes [m]: that from @p x to @p node if
     /// @p eye sees the node, else what the tip handling makes of it, or
@@ -62,6 +111,7 @@ namespace Morsel::SPH
 
   private:
     std::vector<Fracture::Crack>    cracks;
+    WallGrid                        walls;
     std::vector<Fracture::CrackTip> tips;
     TipHandling                     handling;
     double                          reach;
