@@ -192,7 +192,7 @@ namespace Morsel::Fracture
         const Point<2> place = read_pair(item.substr(colon + 1), entry);
         if (depth_inside(plate, place) < 0.)
           throw InputError("'" + entry + "': the point '" + name + "' at " +
-                           text(place) + " lies outside the plate.");
+                           point_text(place) + " lies outside the plate.");
         points.push_back({name, place});
       }
     return points;

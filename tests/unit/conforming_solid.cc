@@ -3,6 +3,7 @@
 #include "solid_scene.h"
 
 #include <morsel/sph/body_cloud.h>
+#include <morsel/sph/body_cracks.h>
 #include <morsel/sph/discrete_gradient.h>
 
 #include <boost/test/unit_test.hpp>
@@ -48,16 +49,15 @@ BOOST_AUTO_TEST_SUITE(conforming_solid)
 
 BOOST_AUTO_TEST_CASE(forces_are_those_of_the_static_solid)
 {
-  const Morsel::Fracture::Crack crack(
-      {{-dp, 7.43 * dp}, {9.3 * dp, 7.43 * dp}}, false, true);
   for (const bool cracked : {false, true})
     {
-      const Scene::Scene scene = scattered_block("auto");
-      const auto        &body  = scene.particle_bodies[0];
-      const std::vector<Morsel::Fracture::Crack> cracks =
-          cracked ? std::vector<Morsel::Fracture::Crack>{crack}
-                  : std::vector<Morsel::Fracture::Crack>{};
-      Solid             solid(body, scene, MPI_COMM_SELF, cracks);
+      Scene::Scene scene = scattered_block("auto");
+      if (cracked)
+        scene.particle_bodies[0].cracks.paths =
+            "0, " + std::to_string(7.43 * dp) + " > " +
+            std::to_string(9.3 * dp) + ", " + std::to_string(7.43 * dp);
+      const auto       &body = scene.particle_bodies[0];
+      Solid             solid(body, scene, MPI_COMM_SELF);
       Particles        &p = solid.state();
       const VectorField u = noise(p.n_owned);
       for (unsigned int i = 0; i < p.n_owned; ++i)
@@ -69,8 +69,8 @@ BOOST_AUTO_TEST_CASE(forces_are_those_of_the_static_solid)
 
       const Cloud      cloud = body_cloud(body, scene.seed);
       const Kernel     kernel(KernelKind::cubic_b_spline, 1.3 * dp);
-      const Visibility visibility(
-          cracks, TipHandling::visibility, kernel.support());
+      const Visibility visibility =
+          visibility_in(body, cloud.points, kernel.support());
       const ShapeFunctions   shape(cloud, kernel, visibility);
       const DiscreteGradient gradient = conforming_gradient(shape);
       const ResidualControl  control  = residual_control(
