@@ -57,7 +57,10 @@ namespace
         bonds.build(p, kernel);
       bonds.make_breakable(kernel);
       for (unsigned int i = 0; i < n; ++i)
-        (conforming ? p.fit : p.shape).push_back(SPH::inverse(bonds.moment(i)));
+        if (conforming)
+          SPH::renew_conforming(p, bonds, i);
+        else
+          p.shape.push_back(SPH::inverse(bonds.moment(i)));
 
       constants.mu                = material.mu;
       constants.bulk              = material.bulk;
@@ -83,6 +86,8 @@ namespace
           cloud.points, cloud.lower, cloud.upper, cloud.spacing);
       p.fit_stress.assign(p.n_owned, {0., 0., 0., 0.});
       p.deficit.assign(p.n_owned, {0., 0., 0., 0.});
+      p.fit.resize(p.n_owned);
+      p.own_sum.resize(p.n_owned);
       bonds.build_conforming(p, cloud, kernel);
     }
 

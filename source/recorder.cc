@@ -310,10 +310,9 @@ namespace Morsel
   void
   Recorder::find_fragments()
   {
-    const auto       &p     = bite.food().get_particles();
-    const auto       &bonds = bite.food().get_bonds();
-    const double      reach = scene.measures.friend_distance * p.spacing;
-    std::vector<char> alive(p.n_owned, 1);
+    const auto               &p     = bite.food().get_particles();
+    const auto               &bonds = bite.food().get_bonds();
+    std::vector<char>         alive(p.n_owned, 1);
     const std::vector<double> areas(p.area.begin(), p.area.begin() + p.n_owned);
     Measure::BondList         friends;
     friends.first.push_back(0);
@@ -322,8 +321,7 @@ namespace Morsel
         alive[i] = p.failed.empty() || !p.failed[i];
         for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
              ++k)
-          if (bonds.list.index[k] < p.n_owned && bonds.live[k] &&
-              bonds.length_square(k) <= reach * reach)
+          if (bonds.list.index[k] < p.n_owned && bonds.live[k])
             friends.neighbour.push_back(bonds.list.index[k]);
         friends.first.push_back(friends.neighbour.size());
       }

@@ -47,39 +47,52 @@ namespace Morsel::SPH
     packed.slot_begin.assign(1, 0);
     for (unsigned int g = 0; g < n_groups; ++g)
       {
-        unsigned int longest = 0;
+        unsigned int longest = 0, most_near = 0;
         for (unsigned int i = g * group_size;
              i < std::min(n_rows, (g + 1) * group_size);
              ++i)
-          longest = std::max(longest, list.start[i + 1] - list.start[i]);
+          {
+            longest   = std::max(longest, list.start[i + 1] - list.start[i]);
+            most_near = std::max(most_near, n_near(i));
+          }
+        packed.near_end.push_back(packed.slot_begin.back() + most_near);
         packed.slot_begin.push_back(packed.slot_begin.back() + longest);
       }
     packed.slot_end.assign(packed.slot_begin.begin() + 1,
                            packed.slot_begin.end());
 
-    const unsigned int size = packed.slot_begin.back() * group_size;
-    packed.index.resize(size, 0);
+    // What is left of a group's slots are pairs of a particle with itself.
+    packed.index.resize(packed.slot_begin.back() * group_size);
     packed.place.resize(list.index.size());
     for (unsigned int i = 0; i < n_groups * group_size; ++i)
       {
-        const unsigned int g     = i / group_size;
-        const unsigned int row   = std::min(i, n_rows - 1);
-        const unsigned int begin = list.start[row];
-        const unsigned int n     = i < n_rows ? list.start[i + 1] - begin : 0;
+        const unsigned int g   = i / group_size;
+        const unsigned int row = std::min(i, n_rows - 1);
         for (unsigned int s = packed.slot_begin[g]; s < packed.slot_end[g]; ++s)
+          packed.index[s * group_size + i % group_size] = row;
+        if (i >= n_rows)
+          continue;
+        unsigned int near = packed.slot_begin[g];
+        unsigned int far  = near + n_near(i);
+        for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
           {
-            const unsigned int p = s * group_size + i % group_size;
-            const unsigned int k = begin + (s - packed.slot_begin[g]);
-            packed.index[p]      = row;
-            if (k >= begin + n)
-              continue;
-            packed.index[p] = list.index[k];
-            packed.place[k] = p;
+            const unsigned int s          = weight[k] > 0. ? near++ : far++;
+            packed.place[k]               = s * group_size + i % group_size;
+            packed.index[packed.place[k]] = list.index[k];
           }
       }
     pack([&](const unsigned int k) { return weight[k]; }, packed.weight);
     pack([&](const unsigned int k) { return dx[k]; }, packed.dx);
     pack([&](const unsigned int k) { return dy[k]; }, packed.dy);
+  }
+
+
+  unsigned int
+  Bonds::n_near(const unsigned int i) const
+  {
+    return std::count_if(weight.begin() + list.start[i],
+                         weight.begin() + list.start[i + 1],
+                         [](const double w) { return w > 0.; });
   }
 
 
@@ -158,6 +171,19 @@ namespace Morsel::SPH
         m.yy += dy[k] * own[k].y;
       }
     return m;
+  }
+
+
+  Vector2
+  Bonds::gradient_sum(const unsigned int i) const
+  {
+    Vector2 sum{0., 0.};
+    for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
+      {
+        sum.x += own[k].x;
+        sum.y += own[k].y;
+      }
+    return sum;
   }
 
 

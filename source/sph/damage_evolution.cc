@@ -89,6 +89,35 @@ namespace Morsel::SPH
                      law.weibull_modulus, seed, particles.id[i]));
     bonds.make_breakable(kernel);
     find_groups_nearby();
+    find_direct_bonds();
+    measure_cracks();
+  }
+
+
+  void
+  Fracture::find_direct_bonds()
+  {
+    is_direct.assign(bonds.list.index.size(), 0);
+    for (unsigned int i = 0; i < bonds.list.n_rows(); ++i)
+      for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
+           ++k)
+        is_direct[k] =
+            bonds.length_square(k) > friend_distance_square && !supported(i, k);
+  }
+
+
+  void
+  Fracture::measure_cracks()
+  {
+    const NeighbourList near = find_neighbours(
+        particles.reference, particles.n_owned, particles.spacing);
+    for (unsigned int i = 0; i < near.n_rows(); ++i)
+      for (unsigned int k = near.start[i]; k < near.start[i + 1]; ++k)
+        if (bonds.find(i, near.index[k]) < 0)
+          contact_diameter[i] =
+              std::min(contact_diameter[i],
+                       particles.reference[i].distance(
+                           particles.reference[near.index[k]]));
   }
 
 
@@ -309,8 +338,8 @@ namespace Morsel::SPH
       return;
     bool any = false;
     for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
-      if (bonds.live[k] && bonds.length_square(k) > friend_distance_square &&
-          !supported(i, k))
+      if (bonds.live[k] && !is_direct[k] &&
+          bonds.length_square(k) > friend_distance_square && !supported(i, k))
         {
           cut(k, i);
           suspects.push_back(bonds.list.index[k]);
@@ -387,11 +416,7 @@ namespace Morsel::SPH
             continue;
           }
         if (bonds.is_conforming())
-          {
-            const Tensor2 G      = bonds.gradient_moment(i);
-            particles.fit[i]     = inverse(m);
-            particles.deficit[i] = {1. - G.xx, -G.xy, -G.yx, 1. - G.yy};
-          }
+          renew_conforming(particles, bonds, i);
         else
           particles.shape[i] = inverse(m);
         particles.gradient[i] = displacement_gradient(particles, bonds, i);

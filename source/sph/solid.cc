@@ -161,6 +161,7 @@ namespace Morsel::SPH
     if (normalisation == Normalisation::conforming)
       {
         particles.fit_stress.assign(n, {0., 0., 0., 0.});
+        particles.own_sum.assign(n, {0., 0.});
         if (body.damage.enabled)
           particles.deficit.assign(n, {0., 0., 0., 0.});
       }
@@ -186,11 +187,14 @@ namespace Morsel::SPH
               "Body '" + body.name +
               "': its particles do not span the plane (a single row or column "
               "has no strain across it); use at least two rows and columns.");
-        if (own_fit)
-          particles.fit[i] = inverse(m);
         if (conforming)
-          continue;
+          {
+            renew_conforming(particles, bonds, i);
+            continue;
+          }
         particles.shape[i] = inverse(m);
+        if (own_fit)
+          particles.fit[i] = particles.shape[i];
         if (normalisation == Normalisation::gradient_matrix)
           continue;
         double sum = particles.area[i] * kernel.value(0.);
@@ -235,7 +239,6 @@ namespace Morsel::SPH
   double
   Solid::measured_highest_frequency()
   {
-    // A body that can fail takes kernels that softening needs.
     const PairKernels &kernels = pair_kernels();
     const BondedArrays arrays  = bonded_arrays(particles, bonds);
     // Small enough for the tangent, large enough for its round-off.

@@ -138,4 +138,31 @@ BOOST_AUTO_TEST_CASE(nothing_passes_through_a_crack)
     }
 }
 
+BOOST_AUTO_TEST_CASE(edges_of_scattered_particles_lie_in_the_body)
+{
+  // A plate that touches the body presses on nothing yet.
+  Scene::Scene scene = scattered_block("auto");
+  auto        &body  = scene.particle_bodies[0];
+  for (const double scatter : {0.2, 0.45})
+    {
+      body.scatter                 = scatter;
+      const Solid          solid   = make_solid(scene);
+      const Particles     &p       = solid.get_particles();
+      const ParticleEdges &edges   = solid.get_edges();
+      double               overlap = 0.;
+      for (unsigned int i = 0; i < p.n_owned; ++i)
+        {
+          const auto  &X    = p.reference[i];
+          const double free = std::min({X[0],
+                                        body.shape.upper_corner[0] - X[0],
+                                        X[1],
+                                        body.shape.upper_corner[1] - X[1]});
+          overlap           = std::max(overlap, edges.distance[i] - free);
+        }
+      BOOST_TEST_MESSAGE("scatter " << scatter << ": edges reach "
+                                    << overlap / dp << " dp too far");
+      BOOST_TEST(overlap < 1e-12 * dp);
+    }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -83,6 +83,7 @@ namespace Morsel::SPH
           bonds.build_conforming(p, cloud, kernel);
           p.deficit.resize(n);
           p.fit.resize(n);
+          p.own_sum.resize(n);
         }
       else
         bonds.build(p, kernel);
@@ -95,11 +96,7 @@ namespace Morsel::SPH
     {
       for (unsigned int i = 0; i < p.n_owned; ++i)
         if (is_conforming())
-          {
-            const Tensor2 G = bonds.gradient_moment(i);
-            p.fit[i]        = inverse(bonds.moment(i));
-            p.deficit[i]    = {1. - G.xx, -G.xy, -G.yx, 1. - G.yy};
-          }
+          renew_conforming(p, bonds, i);
         else if (bonds.list.start[i + 1] > bonds.list.start[i])
           p.shape[i] = inverse(bonds.moment(i));
     }

@@ -153,7 +153,9 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
       gather_pairs(row.of(a.motion), u_x, u_y);
       Matrix                  moment;
       [[maybe_unused]] Matrix sum;
-      for (unsigned int s = a.slot_begin[g]; s < a.slot_end[g]; ++s)
+      constexpr bool          conforming = kind == Gradient::conforming;
+      const unsigned int near_end = conforming ? a.near_end[g] : a.slot_end[g];
+      for (unsigned int s = a.slot_begin[g]; s < near_end; ++s)
         {
           const unsigned int k = s * group_size + offset;
           V                  du_x, du_y;
@@ -162,9 +164,18 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           du_y -= u_y;
           const V w = load(a.weight + k);
           moment.add(du_x, du_y, w * load(a.dx + k), w * load(a.dy + k));
-          if constexpr (kind == Gradient::conforming)
+          if constexpr (conforming)
             sum.add(du_x, du_y, load(a.own_x + k), load(a.own_y + k));
         }
+      if constexpr (conforming)
+        for (unsigned int s = near_end; s < a.slot_end[g]; ++s)
+          {
+            const unsigned int k = s * group_size + offset;
+            V                  du_x, du_y;
+            gather_pairs(neighbours_in(a.motion, a.index + k), du_x, du_y);
+            sum.add(
+                du_x - u_x, du_y - u_y, load(a.own_x + k), load(a.own_y + k));
+          }
       if constexpr (kind != Gradient::fit)
         fit = product(moment, correction.fit);
       if constexpr (kind != Gradient::conforming)
@@ -341,6 +352,19 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     }
 
 
+    /// Subtracts V_j/V_i P_j G_ji of the pairs at @p k.
+    MORSEL_INLINE void
+    take_back(const BondedArrays &a, const unsigned int k, V &f_x, V &f_y)
+    {
+      Matrix Q;
+      gather_records(
+          neighbours_in(a.pair_stress, a.index + k), Q.xx, Q.xy, Q.yx, Q.yy);
+      const V b_x = load(a.back_x + k), b_y = load(a.back_y + k);
+      f_x -= Q.xx * b_x + Q.xy * b_y;
+      f_y -= Q.yx * b_x + Q.yy * b_y;
+    }
+
+
     /// dv_i/dt = 1/rho_0 sum_j a_ij [(T_i + T_j) X_ij + k_ij u_ij], with
     /// T = P B - k_hg H / 2 and k_ij = (k_hg,i + k_hg,j) / 2: stress and
     /// the residual of the linear fit in one sweep. Every term changes but
@@ -365,9 +389,6 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
       const PairStress *const weighted =
           conforming ? a.fit_stress : a.pair_stress;
       gather_records(row.of(weighted), T_xx, T_xy, T_yx, T_yy);
-      [[maybe_unused]] Matrix P;
-      if constexpr (conforming)
-        gather_records(row.of(a.pair_stress), P.xx, P.xy, P.yx, P.yy);
       V hg = all(c.uniform_hourglass);
       if constexpr (varying)
         hg = 0.5 * gather([&](unsigned int l) {
@@ -378,7 +399,8 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
       [[maybe_unused]] V alpha = all(c.viscosity_alpha_c);
       V                  f_x{}, f_y{};
       [[maybe_unused]] V g_x{}, g_y{}, power{};
-      for (unsigned int s = a.slot_begin[g]; s < a.slot_end[g]; ++s)
+      const unsigned int near_end = conforming ? a.near_end[g] : a.slot_end[g];
+      for (unsigned int s = a.slot_begin[g]; s < near_end; ++s)
         {
           const unsigned int  k     = s * group_size + offset;
           const unsigned int *index = a.index + k;
@@ -400,15 +422,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           f_x += w * ((T_xx + S_xx) * X + (T_xy + S_xy) * Y + kij * du_x);
           f_y += w * ((T_yx + S_yx) * X + (T_yy + S_yy) * Y + kij * du_y);
           if constexpr (conforming)
-            {
-              const V G_x = load(a.own_x + k), G_y = load(a.own_y + k);
-              const V b_x = load(a.back_x + k), b_y = load(a.back_y + k);
-              Matrix  Q;
-              gather_records(
-                  neighbours_in(a.pair_stress, index), Q.xx, Q.xy, Q.yx, Q.yy);
-              f_x += P.xx * G_x + P.xy * G_y - Q.xx * b_x - Q.xy * b_y;
-              f_y += P.yx * G_x + P.yy * G_y - Q.yx * b_x - Q.yy * b_y;
-            }
+            take_back(a, k, f_x, f_y);
 
           if constexpr (viscosity)
             {
@@ -426,6 +440,17 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
             }
         }
 
+      if constexpr (conforming)
+        {
+          for (unsigned int s = near_end; s < a.slot_end[g]; ++s)
+            take_back(a, s * group_size + offset, f_x, f_y);
+          Matrix P;
+          V      G_x, G_y;
+          gather_records(row.of(a.pair_stress), P.xx, P.xy, P.yx, P.yy);
+          gather_pairs(row.of(a.own_sum), G_x, G_y);
+          f_x += P.xx * G_x + P.xy * G_y;
+          f_y += P.yx * G_x + P.yy * G_y;
+        }
       const double inverse_density = 1. / c.density;
       V            a_x = inverse_density * f_x, a_y = inverse_density * f_y;
       if constexpr (viscosity)

@@ -22,6 +22,9 @@ namespace Morsel::SPH
   {
     std::vector<unsigned int> slot_begin; ///< of each group
     std::vector<unsigned int> slot_end;   ///< the same once all have failed
+    /// Of the slots of pairs with a weight, which come first; the others have
+    /// but a conforming gradient.
+    std::vector<unsigned int> near_end;
 
     dealii::AlignedVector<double>       weight; ///< a_ij [1/m^2]
     dealii::AlignedVector<double>       dx, dy; ///< X_j - X_i [m]
@@ -98,7 +101,7 @@ namespace Morsel::SPH
     void
     retire(const unsigned int g)
     {
-      packed.slot_end[g] = packed.slot_begin[g];
+      packed.slot_end[g] = packed.near_end[g] = packed.slot_begin[g];
     }
 
     /// Entry of the pair (i, j), or -1 where it is not in the list.
@@ -120,6 +123,10 @@ namespace Morsel::SPH
     Tensor2
     gradient_moment(unsigned int i) const;
 
+    /// sum_j G_ij of the uncut bonds [1/m]. Only with the conforming gradient.
+    Vector2
+    gradient_sum(unsigned int i) const;
+
     /// Half of what @p particles' surface vector is with the kernel's own
     /// gradient, |sum_j V_j grad W_ij| [1/m]: zero inside a lattice, about
     /// 0.4/dp in the outermost row.
@@ -131,6 +138,10 @@ namespace Morsel::SPH
   private:
     void
     set_offsets(const Particles &particles);
+
+    /// Entries of row @p i that have a weight.
+    unsigned int
+    n_near(unsigned int i) const;
 
     /// Lays out the rows and what every form has.
     void

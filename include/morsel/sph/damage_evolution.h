@@ -17,7 +17,9 @@ namespace Morsel::SPH
   /// distance lives only as long as a chain of shorter live bonds connects
   /// its ends, so that bonds do not reach across a crack one row wide, and
   /// the pieces that live bonds hold together are exactly the fragments that
-  /// friends-of-friends finds.
+  /// friends-of-friends finds. On scattered particles some longer bonds have
+  /// no such chain from the start: nothing lies between their ends, and they
+  /// are as good as short ones.
   class DamageEvolution
   {
   public:
@@ -48,7 +50,7 @@ namespace Morsel::SPH
     }
 
     /// Length of the shortest bond that particle @p i had when it failed
-    /// [m]; the spacing where it has not.
+    /// [m]; the spacing where it has not, or less across a crack.
     const std::vector<double> &
     contact_diameters() const
     {
@@ -71,6 +73,13 @@ namespace Morsel::SPH
   private:
     void
     find_groups_nearby();
+
+    void
+    find_direct_bonds();
+
+    /// Particles that face each other across a crack touch as they are.
+    void
+    measure_cracks();
 
     bool
     may_grow(unsigned int group) const;
@@ -120,6 +129,7 @@ namespace Morsel::SPH
     std::vector<unsigned int> newly_failed, failed_now, touched, suspects;
     std::vector<double>       energy_before;
     std::vector<char>         is_touched, exposed;
+    std::vector<char>         is_direct; ///< entries of bonds
     std::vector<double>       contact_diameter;
     double                    heat_of_bonds = 0.;
     double                    failed_area   = 0.; ///< [m^2]

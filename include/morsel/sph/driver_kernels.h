@@ -103,7 +103,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           gather_records(row.of(a.effective), s.xx, s.yy, s.xy, s.zz);
           V total = all(c.average_self);
           s       = {total * s.xx, total * s.yy, total * s.xy, total * s.zz};
-          for (unsigned int slot = a.slot_begin[g]; slot < a.slot_end[g];
+          for (unsigned int slot = a.slot_begin[g]; slot < a.near_end[g];
                ++slot)
             {
               const unsigned int k = slot * group_size + offset;

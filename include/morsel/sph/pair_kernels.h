@@ -26,6 +26,7 @@ namespace Morsel::SPH
   struct BondedArrays
   {
     const unsigned int *slot_begin, *slot_end; ///< of each group
+    const unsigned int *near_end;              ///< of the slots with a weight
     const double       *weight, *dx, *dy, *average;
     const unsigned int *index;
 
@@ -48,6 +49,7 @@ namespace Morsel::SPH
     const double             *own_x, *own_y;   ///< G_ij
     const double             *back_x, *back_y; ///< V_j/V_i G_ji
     const double             *damping;         ///< weight of viscosity
+    const Vector2            *own_sum;         ///< sum_j G_ij
     const Materials::Tensor2 *deficit;
     PairStress               *fit_stress;
   };

@@ -13,6 +13,12 @@ namespace Morsel::SPH
   bonded_arrays(Particles &particles, const Bonds &bonds);
 
 
+  /// What particle @p i of a conforming form has of its uncut bonds: the
+  /// residual's fit, the sum of its gradient's weights and, where allocated,
+  /// the deficit. Precondition: these bonds span the plane.
+  void
+  renew_conforming(Particles &particles, const Bonds &bonds, unsigned int i);
+
   /// H_i at the present displacements [1], as the kernels form it.
   Materials::Tensor2
   displacement_gradient(const Particles &particles,

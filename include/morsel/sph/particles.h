@@ -43,7 +43,10 @@ namespace Morsel::SPH
     /// R = I - sum_j X_ij (x) G_ij [1], owned: what cut bonds took of the
     /// conforming gradient; allocated only for a solid that can fail.
     std::vector<Materials::Tensor2> deficit;
-    std::vector<PairStress>         pair_stress;
+    /// sum_j G_ij of the uncut bonds [1/m], owned; only with the conforming
+    /// gradient.
+    std::vector<Vector2>    own_sum;
+    std::vector<PairStress> pair_stress;
     /// What the conforming form gathers besides, see bonded_kernels.h.
     std::vector<PairStress> fit_stress;
     std::vector<double>     hourglass; ///< alpha E (1 - D) [Pa]
