@@ -75,7 +75,8 @@ def length_bar(axes, view, share=0.25):
     y = view[0][1] - 0.05 * (view[1][1] - view[0][1])
     axes.plot([view[0][0], view[0][0] + length], [y, y], color=style.INK,
               lw=2.5, clip_on=False, solid_capstyle="butt")
-    axes.annotate(f"{length:g} mm", (view[0][0] + length, y), xytext=(5, 0),
+    label = f"{length:g} mm" if length < 1000 else f"{length / 1000:g} m"
+    axes.annotate(label, (view[0][0] + length, y), xytext=(5, 0),
                   textcoords="offset points", va="center", fontsize=8.5,
                   annotation_clip=False)
 

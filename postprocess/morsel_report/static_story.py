@@ -58,7 +58,7 @@ def deformed(run):
             cmap=style.STRESS, vmin=0, vmax=factor * top)
     draw_outlines(axes, run)
     plate.bare(axes)
-    axes.set_title(f"Displacements {scale:g} times enlarged; dashed: "
+    axes.set_title(f"Displacements drawn {scale:g} times as large; dashed: "
                    "undeformed", fontsize=9.5)
     plate.length_bar(axes, (everything.min(axis=0), everything.max(axis=0)))
     plate.colour_bar(figure, mapper, axes, f"Von Mises stress [{unit}]",

@@ -95,7 +95,7 @@ namespace Morsel::SPH
 
 
   void
-  Fracture::find_direct_bonds()
+  DamageEvolution::find_direct_bonds()
   {
     is_direct.assign(bonds.list.index.size(), 0);
     for (unsigned int i = 0; i < bonds.list.n_rows(); ++i)

@@ -81,10 +81,14 @@ namespace Morsel::SPH
     }
 
   protected:
-    /// Operators, supports and loads, solution, energies.
+    /// Operators, supports and loads.
     void
-    solve(const std::function<void(StaticSolid &)> &apply_conditions,
-          EquilibriumResults                       &results);
+    prepare(const std::function<void(StaticSolid &)> &apply_conditions,
+            EquilibriumResults                       &results);
+
+    /// The solution and its energies. @pre prepare()
+    void
+    solve(EquilibriumResults &results);
 
     const ShapeFunctions &
     get_shape() const
@@ -98,7 +102,7 @@ namespace Morsel::SPH
       return boundary;
     }
 
-    /// @pre solve()
+    /// @pre prepare()
     const StaticSolid &
     get_solid() const
     {
