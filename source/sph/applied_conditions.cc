@@ -72,7 +72,7 @@ namespace Morsel::SPH
       , value(condition.value)
   {
     if (prescribes_motion())
-      prescribe_particles(body, solid.get_particles());
+      prescribe_particles(body, solid);
     else
       load_particles(body, solid, depth);
   }
@@ -142,14 +142,15 @@ namespace Morsel::SPH
 
   void
   AppliedCondition::prescribe_particles(const Scene::ParticleBody &body,
-                                        const Particles           &p)
+                                        const DeformableBody      &solid)
   {
-    const auto side = condition.side();
+    const Particles &p    = solid.get_particles();
+    const auto       side = condition.side();
     if (side == Condition::Side::none)
       {
         for (unsigned int i = 0; i < p.n_owned; ++i)
           if (concerns(p.reference[i]))
-            prescribed.push_back({i, i, 1., {0., 0.}, {0., 0.}});
+            prescribed.push_back({{{i}, {1.}, 1.}});
         return;
       }
 
@@ -157,21 +158,61 @@ namespace Morsel::SPH
     const unsigned int d  = normal_axis(side);
     const unsigned int nx = body.particles_across, ny = body.particles_high();
     const unsigned int step  = d == 0 ? 1 : nx;
-    const unsigned int along = d == 0 ? ny : nx;
-    const double       edge  = is_upper(side) ? body.shape.upper_corner[d]
-                                              : body.shape.lower_corner[d];
+    const unsigned int along = d == 0 ? ny : nx, across = d == 0 ? nx : ny;
+    const double       edge = is_upper(side) ? body.shape.upper_corner[d]
+                                             : body.shape.lower_corner[d];
+    const std::vector<Vector2> surface = solid.surface_vectors();
     for (unsigned int k = 0; k < along; ++k)
       {
-        const unsigned int base = d == 0 ? k * nx : k;
-        const unsigned int last = base + ((d == 0 ? nx : ny) - 1) * step;
-        const unsigned int i    = is_upper(side) ? last : base;
-        const unsigned int j    = is_upper(side) ? i - step : i + step;
-        if (!concerns(p.reference[i]))
-          continue;
-        const double x1 = p.reference[i][d], x2 = p.reference[j][d];
-        prescribed.push_back(
-            {i, j, (edge - x2) / (x1 - x2), {0., 0.}, {0., 0.}});
+        std::vector<unsigned int> row;
+        const unsigned int        base = d == 0 ? k * nx : k;
+        for (unsigned int m = 0; m < std::max(2u, across / 2); ++m)
+          row.push_back(base + (is_upper(side) ? across - 1 - m : m) * step);
+        if (concerns(p.reference[row[0]]))
+          prescribed.push_back({trace_at_edge(row, surface, p, edge)});
       }
+  }
+
+
+  AppliedCondition::Trace
+  AppliedCondition::trace_at_edge(const std::vector<unsigned int> &row,
+                                  const std::vector<Vector2>      &surface,
+                                  const Particles                 &p,
+                                  const double                     edge) const
+  {
+    // Weights in proportion to the surface vectors: the reaction then is what
+    // a constant stress balances, particle by particle.
+    const unsigned int d    = normal_axis(condition.side());
+    const double       sign = is_upper(condition.side()) ? 1. : -1.;
+    Trace              trace;
+    double             sum = 0.;
+    for (const unsigned int i : row)
+      {
+        const double w = sign * as_tensor(surface[i])[d];
+        if (trace.particle.size() >= 2 &&
+            std::abs(w) < 1e-12 * p.volume / p.spacing)
+          break;
+        trace.particle.push_back(i);
+        trace.weight.push_back(w);
+        sum += w;
+      }
+    // In corners and without an exact gradient they miss the edge; the two
+    // outermost particles make good for that.
+    double place = 0.;
+    for (unsigned int m = 0; m < trace.weight.size(); ++m)
+      {
+        trace.weight[m] /= sum;
+        place += trace.weight[m] * p.reference[trace.particle[m]][d];
+      }
+    const double shift =
+        (edge - place) / (p.reference[row[0]][d] - p.reference[row[1]][d]);
+    trace.weight[0] += shift;
+    trace.weight[1] -= shift;
+    trace.unit = 0.;
+    for (const double w : trace.weight)
+      trace.unit += w * w;
+    trace.unit = 1. / trace.unit;
+    return trace;
   }
 
 
@@ -227,11 +268,13 @@ namespace Morsel::SPH
             q.target = {at_once[0], at_once[1]};
             continue;
           }
-        const dealii::Tensor<1, 2> start =
-            q.c * as_tensor(p.half_velocity[q.first]) +
-            (1. - q.c) * as_tensor(p.half_velocity[q.second]);
-        const dealii::Tensor<1, 2> place =
-            q.c * p.position(q.first) + (1. - q.c) * p.position(q.second);
+        dealii::Tensor<1, 2> start, place;
+        for (unsigned int m = 0; m < q.trace.particle.size(); ++m)
+          {
+            const unsigned int i = q.trace.particle[m];
+            start += q.trace.weight[m] * as_tensor(p.half_velocity[i]);
+            place += q.trace.weight[m] * dealii::Tensor<1, 2>(p.position(i));
+          }
         dealii::Tensor<1, 2> v = start;
         for (unsigned int k = 0; k < 5; ++k)
           v = value(dealii::Point<2>(place + 0.5 * time_step * v),
@@ -248,24 +291,23 @@ namespace Morsel::SPH
     const bool both[2] = {condition.prescribes(0), condition.prescribes(1)};
     for (Prescribed &q : prescribed)
       {
-        const bool   pair  = q.first != q.second;
-        const double b     = pair ? 1. - q.c : 0.;
-        const double unit  = 1. / (q.c * q.c + b * b);
-        const auto   solve = [&](double Vector2::*component) {
-          const auto next = [&](const unsigned int i) {
-            return p.half_velocity[i].*component +
-                   kick * p.acceleration[i].*component;
-          };
-          const double gap = q.c * next(q.first) +
-                             (pair ? b * next(q.second) : 0.) -
-                             q.target.*component;
-          const double a = -gap * unit / kick;
-          p.acceleration[q.first].*component += q.c * a;
-          if (pair)
-            p.acceleration[q.second].*component += b * a;
+        const unsigned int n     = q.trace.particle.size();
+        const auto         solve = [&](double Vector2::*component) {
+          double gap = -(q.target.*component);
+          for (unsigned int m = 0; m < n; ++m)
+            {
+              const unsigned int i    = q.trace.particle[m];
+              const double       next = p.half_velocity[i].*component +
+                                  kick * p.acceleration[i].*component;
+              gap += q.trace.weight[m] * next;
+              largest.speed = std::max(largest.speed, std::abs(next));
+            }
+          const double a = -gap * q.trace.unit / kick;
+          for (unsigned int m = 0; m < n; ++m)
+            p.acceleration[q.trace.particle[m]].*component +=
+                q.trace.weight[m] * a;
           q.reaction.*component += p.mass * a;
-          largest.gap   = std::max(largest.gap, std::abs(gap));
-          largest.speed = std::max(largest.speed, std::abs(next(q.first)));
+          largest.gap = std::max(largest.gap, std::abs(gap));
         };
         if (both[0])
           solve(&Vector2::x);
@@ -299,9 +341,12 @@ namespace Morsel::SPH
       }
     for (const Prescribed &q : prescribed)
       {
-        const Vector2 v = velocity(q.first), w = velocity(q.second);
-        power += q.reaction.x * (q.c * v.x + (1. - q.c) * w.x) +
-                 q.reaction.y * (q.c * v.y + (1. - q.c) * w.y);
+        for (unsigned int m = 0; m < q.trace.particle.size(); ++m)
+          {
+            const Vector2 v = velocity(q.trace.particle[m]);
+            power +=
+                q.trace.weight[m] * (q.reaction.x * v.x + q.reaction.y * v.y);
+          }
         total.x += q.reaction.x;
         total.y += q.reaction.y;
       }
