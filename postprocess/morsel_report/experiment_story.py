@@ -11,21 +11,25 @@ KICKER = "MORSEL · an experiment on particle bodies"
 
 
 def moments(run):
-    """The body at the first, a middle and the last frame, by stress."""
+    """The body at the first, some middle and the last frame, by stress."""
     frames, _ = run.food()
     if not frames or frames[0].points() is None:
         return None
-    places = sorted({0, len(frames) // 2, len(frames) - 1})
+    spacing = 1e3 * food.spacing_of(frames[0].points())
+    # Tall bodies leave room for more.
+    x, y = np.ptp(frames[0].points()[:, :2], axis=0)
+    count = 5 if y > 1.2 * x else 3
+    places = sorted({k * (len(frames) - 1) // (count - 1)
+                     for k in range(count)})
     chosen = [("", frames[k]) for k in places]
+    view = food.extent_of([frame for _, frame in chosen])
+    aspect = (view[1][1] - view[0][1]) / (view[1][0] - view[0][0])
     rows = [(field, label, cmap) for field, label, cmap in (
         ("von_mises", "Von Mises stress", style.STRESS),
         ("stress_yy", "Stress along y", "RdBu"))
         if frames[-1].read(field) is not None]
     if not rows:
         return None
-    spacing = 1e3 * food.spacing_of(frames[0].points())
-    view = food.extent_of([frame for _, frame in chosen])
-    aspect = (view[1][1] - view[0][1]) / (view[1][0] - view[0][0])
     width = 9.6 / (len(chosen) + 0.35)
     figure, grid = plt.subplots(
         len(rows), len(chosen), squeeze=False, layout="constrained",

@@ -62,6 +62,34 @@ namespace Morsel::SPH
             break;
         }
     }
+
+
+    /// The particles near a side whose surface vectors are its own: they
+    /// differ from zero up to two supports from the edge, but also near the
+    /// opposite edge and at the faces of cracks, which bear no load.
+    struct SideBand
+    {
+      unsigned int axis;
+      double       sign, edge, reach; ///< place and depth along the axis [m]
+
+      SideBand(const Condition &condition, const Scene::ParticleBody &body)
+          : axis(normal_axis(condition.side()))
+          , sign(is_upper(condition.side()) ? 1. : -1.)
+          , edge(is_upper(condition.side()) ? body.shape.upper_corner[axis]
+                                            : body.shape.lower_corner[axis])
+          , reach(
+                std::min(0.5 * body.shape.extent(axis),
+                         2. * Kernel(kernel_named(body.solid.kernel),
+                                     body.solid.smoothing_ratio * body.spacing)
+                                  .support()))
+      {}
+
+      bool
+      contains(const dealii::Point<2> &x) const
+      {
+        return sign * (edge - x[axis]) < reach;
+      }
+    };
   } // namespace
 
 
@@ -73,7 +101,7 @@ namespace Morsel::SPH
       , value(condition.value)
   {
     if (prescribes_motion())
-      prescribe_particles(body, solid.get_particles());
+      prescribe_particles(body, solid);
     else
       load_particles(body, solid, depth);
   }
@@ -114,25 +142,15 @@ namespace Morsel::SPH
         return;
       }
 
-    // Surface vectors differ from zero up to two supports from the edge, and
-    // from the opposite edge and the faces of cracks, which bear no load.
-    const unsigned int d    = normal_axis(side);
-    const double       sign = is_upper(side) ? 1. : -1.;
-    const double       edge = is_upper(side) ? body.shape.upper_corner[d]
-                                             : body.shape.lower_corner[d];
-    const double       reach =
-        std::min(0.5 * body.shape.extent(d),
-                 2. * Kernel(kernel_named(body.solid.kernel),
-                             body.solid.smoothing_ratio * body.spacing)
-                          .support());
-    normal[d]                          = sign;
+    const SideBand     band(condition, body);
+    const unsigned int d               = band.axis;
+    normal[d]                          = band.sign;
     const std::vector<Vector2> surface = solid.surface_vectors();
     double                     sum     = 0.;
     for (unsigned int i = 0; i < p.n_owned; ++i)
       {
-        const double share = sign * as_tensor(surface[i])[d];
-        if (sign * (edge - p.reference[i][d]) >= reach ||
-            !concerns(p.reference[i]) ||
+        const double share = band.sign * as_tensor(surface[i])[d];
+        if (!band.contains(p.reference[i]) || !concerns(p.reference[i]) ||
             std::abs(share) < 1e-12 * p.volume(i) / p.spacing)
           continue;
         loaded.push_back({i, share, {0., 0.}});
@@ -151,36 +169,81 @@ namespace Morsel::SPH
 
   void
   AppliedCondition::prescribe_particles(const Scene::ParticleBody &body,
-                                        const Particles           &p)
+                                        const DeformableBody      &solid)
   {
-    const auto side = condition.side();
+    const Particles &p    = solid.get_particles();
+    const auto       side = condition.side();
     if (side == Condition::Side::none)
       {
         for (unsigned int i = 0; i < p.n_owned; ++i)
           if (concerns(p.reference[i]))
-            prescribed.push_back({i, i, 1., {0., 0.}, {0., 0.}});
+            prescribed.push_back({{{i}, {1.}, p.mass[i]}});
         return;
       }
 
     // Identities are row-major in the lattice, and the order of memory.
-    const unsigned int d  = normal_axis(side);
+    const SideBand     band(condition, body);
+    const unsigned int d  = band.axis;
     const unsigned int nx = body.particles_across, ny = body.particles_high();
     const unsigned int step  = d == 0 ? 1 : nx;
-    const unsigned int along = d == 0 ? ny : nx;
-    const double       edge  = is_upper(side) ? body.shape.upper_corner[d]
-                                              : body.shape.lower_corner[d];
+    const unsigned int along = d == 0 ? ny : nx, across = d == 0 ? nx : ny;
+    const std::vector<Vector2> surface = solid.surface_vectors();
     for (unsigned int k = 0; k < along; ++k)
       {
-        const unsigned int base = d == 0 ? k * nx : k;
-        const unsigned int last = base + ((d == 0 ? nx : ny) - 1) * step;
-        const unsigned int i    = is_upper(side) ? last : base;
-        const unsigned int j    = is_upper(side) ? i - step : i + step;
-        if (!concerns(p.reference[i]))
-          continue;
-        const double x1 = p.reference[i][d], x2 = p.reference[j][d];
-        prescribed.push_back(
-            {i, j, (edge - x2) / (x1 - x2), {0., 0.}, {0., 0.}});
+        std::vector<unsigned int> row;
+        const unsigned int        base = d == 0 ? k * nx : k;
+        for (unsigned int m = 0; m < across; ++m)
+          {
+            const unsigned int i =
+                base + (is_upper(side) ? across - 1 - m : m) * step;
+            if (m < 2 || band.contains(p.reference[i]))
+              row.push_back(i);
+          }
+        if (concerns(p.reference[row[0]]))
+          prescribed.push_back({trace_at_edge(row, surface, p, band.edge)});
       }
+  }
+
+
+  AppliedCondition::Trace
+  AppliedCondition::trace_at_edge(const std::vector<unsigned int> &row,
+                                  const std::vector<Vector2>      &surface,
+                                  const Particles                 &p,
+                                  const double                     edge) const
+  {
+    // Weights in proportion to the surface vectors: the reaction then is what
+    // a constant stress balances, particle by particle.
+    const unsigned int d    = normal_axis(condition.side());
+    const double       sign = is_upper(condition.side()) ? 1. : -1.;
+    Trace              trace;
+    double             sum = 0.;
+    for (const unsigned int i : row)
+      {
+        const double w = sign * as_tensor(surface[i])[d];
+        if (trace.particle.size() >= 2 &&
+            std::abs(w) < 1e-12 * p.volume(i) / p.spacing)
+          break;
+        trace.particle.push_back(i);
+        trace.weight.push_back(w);
+        sum += w;
+      }
+    // In corners and without an exact gradient they miss the edge; the two
+    // outermost particles make good for that.
+    double place = 0.;
+    for (unsigned int m = 0; m < trace.weight.size(); ++m)
+      {
+        trace.weight[m] /= sum;
+        place += trace.weight[m] * p.reference[trace.particle[m]][d];
+      }
+    const double shift =
+        (edge - place) / (p.reference[row[0]][d] - p.reference[row[1]][d]);
+    trace.weight[0] += shift;
+    trace.weight[1] -= shift;
+    double mobility = 0.;
+    for (unsigned int m = 0; m < trace.weight.size(); ++m)
+      mobility += trace.weight[m] * trace.weight[m] / p.mass[trace.particle[m]];
+    trace.mass = 1. / mobility;
+    return trace;
   }
 
 
@@ -240,11 +303,13 @@ namespace Morsel::SPH
             q.target = {at_once[0], at_once[1]};
             continue;
           }
-        const dealii::Tensor<1, 2> start =
-            q.c * as_tensor(p.half_velocity[q.first]) +
-            (1. - q.c) * as_tensor(p.half_velocity[q.second]);
-        const dealii::Tensor<1, 2> place =
-            q.c * p.position(q.first) + (1. - q.c) * p.position(q.second);
+        dealii::Tensor<1, 2> start, place;
+        for (unsigned int m = 0; m < q.trace.particle.size(); ++m)
+          {
+            const unsigned int i = q.trace.particle[m];
+            start += q.trace.weight[m] * as_tensor(p.half_velocity[i]);
+            place += q.trace.weight[m] * dealii::Tensor<1, 2>(p.position(i));
+          }
         dealii::Tensor<1, 2> v = start;
         for (unsigned int k = 0; k < 5; ++k)
           v = value(dealii::Point<2>(place + 0.5 * time_step * v),
@@ -261,25 +326,26 @@ namespace Morsel::SPH
     const bool both[2] = {condition.prescribes(0), condition.prescribes(1)};
     for (Prescribed &q : prescribed)
       {
-        const bool   pair = q.first != q.second;
-        const double b    = pair ? 1. - q.c : 0.;
-        const double m1 = p.mass[q.first], m2 = p.mass[q.second];
-        const double unit  = 1. / (q.c * q.c / m1 + b * b / m2);
-        const auto   solve = [&](double Vector2::*component) {
-          const auto next = [&](const unsigned int i) {
-            return p.half_velocity[i].*component +
-                   kick * p.acceleration[i].*component;
-          };
-          const double gap = q.c * next(q.first) +
-                             (pair ? b * next(q.second) : 0.) -
-                             q.target.*component;
-          const double reaction = -gap * unit / kick;
-          p.acceleration[q.first].*component += q.c * reaction / m1;
-          if (pair)
-            p.acceleration[q.second].*component += b * reaction / m2;
+        const unsigned int n     = q.trace.particle.size();
+        const auto         solve = [&](double Vector2::*component) {
+          double gap = -(q.target.*component);
+          for (unsigned int m = 0; m < n; ++m)
+            {
+              const unsigned int i    = q.trace.particle[m];
+              const double       next = p.half_velocity[i].*component +
+                                  kick * p.acceleration[i].*component;
+              gap += q.trace.weight[m] * next;
+              largest.speed = std::max(largest.speed, std::abs(next));
+            }
+          const double reaction = -gap * q.trace.mass / kick;
+          for (unsigned int m = 0; m < n; ++m)
+            {
+              const unsigned int i = q.trace.particle[m];
+              p.acceleration[i].*component +=
+                  q.trace.weight[m] * reaction / p.mass[i];
+            }
           q.reaction.*component += reaction;
-          largest.gap   = std::max(largest.gap, std::abs(gap));
-          largest.speed = std::max(largest.speed, std::abs(next(q.first)));
+          largest.gap = std::max(largest.gap, std::abs(gap));
         };
         if (both[0])
           solve(&Vector2::x);
@@ -313,9 +379,12 @@ namespace Morsel::SPH
       }
     for (const Prescribed &q : prescribed)
       {
-        const Vector2 v = velocity(q.first), w = velocity(q.second);
-        power += q.reaction.x * (q.c * v.x + (1. - q.c) * w.x) +
-                 q.reaction.y * (q.c * v.y + (1. - q.c) * w.y);
+        for (unsigned int m = 0; m < q.trace.particle.size(); ++m)
+          {
+            const Vector2 v = velocity(q.trace.particle[m]);
+            power +=
+                q.trace.weight[m] * (q.reaction.x * v.x + q.reaction.y * v.y);
+          }
         total.x += q.reaction.x;
         total.y += q.reaction.y;
       }

@@ -111,6 +111,43 @@ class StudyTest(unittest.TestCase):
         self.assertEqual(figures, {"over_axis_K"})
         self.assertNotIn("could not be drawn", page)
 
+    def test_over_two_axes(self):
+        runs = []
+        for theta in (0.0, 15.0, 30.0):
+            for n in (1, 2, 3):
+                runs.append(a_run("p1", n, 1e-3 * (theta + n)))
+                runs[-1]["axes"]["theta"] = theta
+                runs[-1]["resolution"] = None
+        page, figures = self.page_of(a_study(
+            runs=runs, rates=[], pareto_fronts=[], time_to_reach=[],
+            timing=False))
+        self.assertEqual(figures, {"over_two_axes_K"})
+        self.assertNotIn("could not be drawn", page)
+
+    def test_side_by_side(self):
+        runs = [a_run(series, 10, error) for series, error in (
+            ("p1", 0.02), ("p2", -0.01), ("p2", 0.001))]
+        page, figures = self.page_of(a_study(
+            runs=runs, rates=[], pareto_fronts=[], time_to_reach=[],
+            timing=False))
+        self.assertEqual(figures, {"side_by_side_K"})
+        self.assertNotIn("could not be drawn", page)
+
+    def test_stability(self):
+        axes = {"kernel": an_axis("kernel", "texts"),
+                "ratio": an_axis("h/dp"), "stress": an_axis("stress over E")}
+        runs = []
+        for ratio in (1.0, 1.3, 2.0):
+            for stress in (-1e-2, 1e-3, 1e-2):
+                runs.append(a_run("p1", 10, stress * ratio))
+                runs[-1]["axes"] = {"kernel": "quadratic", "ratio": ratio,
+                                    "stress": stress}
+        page, figures = self.page_of(a_study(
+            runs=runs, axes=axes, rates=[], pareto_fronts=[],
+            time_to_reach=[], timing=False))
+        self.assertEqual(figures, {"kernels_all", "stability_K"})
+        self.assertNotIn("could not be drawn", page)
+
     def test_draws(self):
         runs = [a_run("p1", n, 1e-4 * (n % 7 - 3)) for n in range(2, 40)]
         axes = {"n": an_axis("seed", "seeds"), "theta": an_axis("angle")}

@@ -15,8 +15,9 @@ namespace Morsel::SPH
   ///
   /// Particles stand half a spacing inside of the edge. A traction is given
   /// out in proportion to their surface vectors, so that a constant stress
-  /// is in balance with it particle by particle. Motion is prescribed to what
-  /// a line through the two outermost particles of a row says of the edge.
+  /// is in balance with it particle by particle. Motion is prescribed to the
+  /// sum over a row of particles with these vectors as weights, the edge's for
+  /// linear fields, and its reaction is given out in the same way.
   class AppliedCondition
   {
   public:
@@ -91,12 +92,20 @@ namespace Morsel::SPH
       Vector2      force; ///< [N]
     };
 
-    /// c v_first + (1 - c) v_second is prescribed.
+    /// The velocity of a place as a sum over particles.
+    struct Trace
+    {
+      std::vector<unsigned int> particle;
+      std::vector<double>       weight; ///< [1], sum 1
+      /// That moves as the trace does, 1 / sum of weight^2/mass [kg].
+      double mass = 1.;
+    };
+
+    /// The velocity of a trace is prescribed.
     struct Prescribed
     {
-      unsigned int first, second;
-      double       c;
-      Vector2      target, reaction; ///< [m/s], [N]
+      Trace   trace;
+      Vector2 target{0., 0.}, reaction{0., 0.}; ///< [m/s], [N]
     };
 
     void
@@ -106,7 +115,15 @@ namespace Morsel::SPH
 
     void
     prescribe_particles(const Scene::ParticleBody &body,
-                        const Particles           &particles);
+                        const DeformableBody      &solid);
+
+    /// The edge's end of a row of particles across a side, from its outermost
+    /// one inwards.
+    Trace
+    trace_at_edge(const std::vector<unsigned int> &row,
+                  const std::vector<Vector2>      &surface,
+                  const Particles                 &particles,
+                  double                           edge) const;
 
     bool
     concerns(const dealii::Point<2> &x) const;
