@@ -123,10 +123,6 @@ function(add_ranks_test name pattern)
 endfunction()
 set(cracked_plate ${CMAKE_SOURCE_DIR}/prm/fracture/m1_xfem.prm)
 add_ranks_test(food_scene "no file '.*penut.prm'" ${CMAKE_SOURCE_DIR}/prm/food/penut.prm)
-add_ranks_test(conforming_gradient "takes the conforming gradient.*on one rank only"
-               ${CMAKE_SOURCE_DIR}/prm/food/peanut.prm
-               --set "Body food/Damage/Enabled=false"
-               --set "Body food/Solid/Normalisation=conforming")
 add_ranks_test(unknown_key "Did you mean" ${cracked_plate} --set XFEM/Degre=2)
 add_ranks_test(crack_outside "crack" ${cracked_plate} --set
                "Cracks/Paths=0.02, 0.005 > 0.03, 0.005")
