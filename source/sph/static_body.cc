@@ -117,13 +117,14 @@ namespace Morsel::SPH
     results.cloud_time  = cloud_time;
     results.cells       = evenness(get_cloud());
     results.n_particles = get_cloud().size();
+    prepare([this](StaticSolid &solid) { apply_conditions(solid); }, results);
   }
 
 
   const StaticBodyResults &
   StaticBody::run()
   {
-    solve([this](StaticSolid &solid) { apply_conditions(solid); }, results);
+    solve(results);
     for (const Support &support : supports)
       results.forces.push_back(
           {support.condition,
