@@ -23,8 +23,9 @@ namespace Morsel::SPH
 
 
   void
-  Equilibrium::solve(const std::function<void(StaticSolid &)> &apply_conditions,
-                     EquilibriumResults                       &results)
+  Equilibrium::prepare(
+      const std::function<void(StaticSolid &)> &apply_conditions,
+      EquilibriumResults                       &results)
   {
     dealii::Timer timer;
     gradient = method.gradient == Normalisation::conforming
@@ -40,6 +41,12 @@ namespace Morsel::SPH
     solid = std::make_unique<StaticSolid>(
         shape, gradient, control, boundary, material, youngs_modulus);
     apply_conditions(*solid);
+  }
+
+
+  void
+  Equilibrium::solve(EquilibriumResults &results)
+  {
     displacement  = solid->solve();
     results.solve = solid->get_report();
 

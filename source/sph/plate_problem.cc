@@ -152,8 +152,9 @@ namespace Morsel::SPH
   const PlateResults &
   PlateProblem::run()
   {
-    solve([this](StaticSolid &solid) { apply_boundary_conditions(solid); },
-          results);
+    prepare([this](StaticSolid &solid) { apply_boundary_conditions(solid); },
+            results);
+    solve(results);
 
     Timer timer;
     results.tips     = evaluate_tips(get_field(),

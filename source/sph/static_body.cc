@@ -132,13 +132,14 @@ namespace Morsel::SPH
     results.cloud_time  = cloud_time;
     results.cells       = evenness(get_cloud());
     results.n_particles = get_cloud().size();
+    prepare([this](StaticSolid &solid) { apply_conditions(solid); }, results);
   }
 
 
   const StaticBodyResults &
   StaticBody::run()
   {
-    solve([this](StaticSolid &solid) { apply_conditions(solid); }, results);
+    solve(results);
     results.tips = evaluate_tips(get_field(),
                                  cracks_of(body),
                                  get_material(),

@@ -1,4 +1,5 @@
 #include <morsel/core/errors.h>
+#include <morsel/sph/field_vectors.h>
 #include <morsel/sph/neighbour_stiffness.h>
 #include <morsel/sph/static_solid.h>
 
@@ -20,33 +21,11 @@ namespace Morsel::SPH
     /// Stiffness of a held facet over that of a layer as thick as the facet
     /// is long; multipliers take away what it yields, the faster the stiffer
     /// it is.
-    constexpr double       penalty                       = 1e3;
-    constexpr unsigned int simple_multiplier_step_count  = 8;
-    constexpr unsigned int largest_multiplier_step_count = 60;
-    constexpr double       final_tolerance               = 1e-13;
-    constexpr double       gap_tolerance                 = 1e-12;
-    constexpr double       dual_tolerance                = 1e-11;
-    constexpr unsigned int largest_iteration_count       = 2000;
-
-
-    VectorField
-    to_field(const Vector<double> &x)
-    {
-      VectorField field(x.size() / 2);
-      for (unsigned int i = 0; i < field.size(); ++i)
-        field[i] = Tensor<1, 2>({x(2 * i), x(2 * i + 1)});
-      return field;
-    }
-
-
-    Vector<double>
-    to_vector(const VectorField &field)
-    {
-      Vector<double> x(2 * field.size());
-      for (unsigned int i = 0; i < x.size(); ++i)
-        x(i) = field[i / 2][i % 2];
-      return x;
-    }
+    constexpr double       penalty                      = 1e3;
+    constexpr unsigned int simple_multiplier_step_count = 8;
+    constexpr double       final_tolerance              = 1e-13;
+    constexpr double       gap_tolerance                = 1e-12;
+    constexpr unsigned int largest_iteration_count      = 2000;
 
 
     /// Weights of one component.
@@ -56,16 +35,6 @@ namespace Morsel::SPH
       VectorField result(weight.size());
       for (unsigned int k = 0; k < weight.size(); ++k)
         result[k][component] = weight[k];
-      return result;
-    }
-
-
-    double
-    largest(const VectorField &field)
-    {
-      double result = 0.;
-      for (const Tensor<1, 2> &v : field)
-        result = std::max(result, v.norm());
       return result;
     }
   } // namespace
@@ -284,7 +253,8 @@ namespace Morsel::SPH
         report.support_gap =
             std::max(report.support_gap, std::abs(g) / c.scale);
       }
-    report.support_gap /= largest(u);
+    if (report.support_gap > 0.)
+      report.support_gap /= largest(u);
   }
 
 
@@ -336,61 +306,6 @@ namespace Morsel::SPH
   }
 
 
-  void
-  StaticSolid::improve_multipliers(Vector<double>      &x,
-                                   const Factorisation &factors)
-  {
-    improve(x, factors, final_tolerance);
-    const unsigned int  n = constraints.size();
-    std::vector<double> gap(n), direction(n, 0.), change(n);
-    const VectorField   u = to_field(x);
-    for (unsigned int c = 0; c < n; ++c)
-      gap[c] = trace(constraints[c], u) - constraints[c].target;
-    double old_product = 0.;
-    for (unsigned int step = 0; step < largest_multiplier_step_count; ++step)
-      {
-        double product = 0., largest_gap = 0.;
-        for (unsigned int c = 0; c < n; ++c)
-          {
-            product += constraints[c].stiffness * gap[c] * gap[c];
-            largest_gap =
-                std::max(largest_gap, std::abs(gap[c]) / constraints[c].scale);
-          }
-        if (largest_gap < 0.1 * gap_tolerance * largest(to_field(x)))
-          break;
-        const double beta = step == 0 ? 0. : product / old_product;
-        old_product       = product;
-        VectorField force(load.size());
-        for (unsigned int c = 0; c < n; ++c)
-          {
-            direction[c] =
-                constraints[c].stiffness * gap[c] + beta * direction[c];
-            for (unsigned int k = 0; k < constraints[c].index.size(); ++k)
-              force[constraints[c].index[k]] +=
-                  direction[c] * constraints[c].weight[k];
-          }
-        Vector<double>       response(x.size());
-        const Vector<double> rhs = to_vector(force);
-        solve_linear(response, rhs, factors, dual_tolerance * rhs.l2_norm());
-        const VectorField moved     = to_field(response);
-        double            curvature = 0.;
-        for (unsigned int c = 0; c < n; ++c)
-          {
-            change[c] = trace(constraints[c], moved);
-            curvature += direction[c] * change[c];
-          }
-        const double alpha = product / curvature;
-        for (unsigned int c = 0; c < n; ++c)
-          {
-            constraints[c].multiplier += alpha * direction[c];
-            gap[c] -= alpha * change[c];
-          }
-        x.add(-alpha, response);
-        ++report.n_multiplier_steps;
-      }
-  }
-
-
   VectorField
   StaticSolid::solve()
   {
@@ -419,14 +334,16 @@ namespace Morsel::SPH
       found = step(tolerance);
     if (!found)
       {
-        improve_multipliers(x, factors);
+        improve(x, factors, final_tolerance);
+        improve_multipliers(x, factors, 0.1 * gap_tolerance);
         step(final_tolerance);
       }
     const VectorField    u       = to_field(x);
     Vector<double>       balance = to_vector(inner_force(u));
     const Vector<double> outer   = outer_force();
     balance += outer;
-    report.residual      = balance.l2_norm() / outer.l2_norm();
+    if (balance.l2_norm() > 0.)
+      report.residual = balance.l2_norm() / outer.l2_norm();
     report.solution_time = timer.wall_time();
     return u;
   }

@@ -1,4 +1,5 @@
 #include <morsel/core/errors.h>
+#include <morsel/sph/field_vectors.h>
 #include <morsel/sph/static_solid.h>
 
 #include <Eigen/Eigenvalues>
@@ -10,6 +11,7 @@ namespace Morsel::SPH
 {
   using dealii::Point;
   using dealii::Tensor;
+  using dealii::Vector;
 
   namespace
   {
@@ -18,6 +20,9 @@ namespace Morsel::SPH
     /// Loads may be so far out of balance along a motion that nothing holds,
     /// in units of their sum.
     constexpr double balance_tolerance = 1e-8;
+
+    constexpr unsigned int largest_step_count = 60;
+    constexpr double       dual_tolerance     = 1e-11;
 
 
     /// How much of the first @p n modes a displacement of one component of a
@@ -122,5 +127,60 @@ namespace Morsel::SPH
         modes.compute(held);
       }
     return n_free;
+  }
+
+
+  void
+  StaticSolid::improve_multipliers(Vector<double>      &x,
+                                   const Factorisation &factors,
+                                   const double         tolerance)
+  {
+    const unsigned int  n = constraints.size();
+    std::vector<double> gap(n), direction(n, 0.), change(n);
+    const VectorField   u = to_field(x);
+    for (unsigned int c = 0; c < n; ++c)
+      gap[c] = trace(constraints[c], u) - constraints[c].target;
+    double old_product = 0.;
+    for (unsigned int step = 0; step < largest_step_count; ++step)
+      {
+        double product = 0., largest_gap = 0.;
+        for (unsigned int c = 0; c < n; ++c)
+          {
+            product += constraints[c].stiffness * gap[c] * gap[c];
+            largest_gap =
+                std::max(largest_gap, std::abs(gap[c]) / constraints[c].scale);
+          }
+        if (largest_gap <= tolerance * largest(to_field(x)))
+          break;
+        const double beta = step == 0 ? 0. : product / old_product;
+        old_product       = product;
+        VectorField force(load.size());
+        for (unsigned int c = 0; c < n; ++c)
+          {
+            direction[c] =
+                constraints[c].stiffness * gap[c] + beta * direction[c];
+            for (unsigned int k = 0; k < constraints[c].index.size(); ++k)
+              force[constraints[c].index[k]] +=
+                  direction[c] * constraints[c].weight[k];
+          }
+        Vector<double>       response(x.size());
+        const Vector<double> rhs = to_vector(force);
+        solve_linear(response, rhs, factors, dual_tolerance * rhs.l2_norm());
+        const VectorField moved     = to_field(response);
+        double            curvature = 0.;
+        for (unsigned int c = 0; c < n; ++c)
+          {
+            change[c] = trace(constraints[c], moved);
+            curvature += direction[c] * change[c];
+          }
+        const double alpha = product / curvature;
+        for (unsigned int c = 0; c < n; ++c)
+          {
+            constraints[c].multiplier += alpha * direction[c];
+            gap[c] -= alpha * change[c];
+          }
+        x.add(-alpha, response);
+        ++report.n_multiplier_steps;
+      }
   }
 } // namespace Morsel::SPH

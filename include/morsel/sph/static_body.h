@@ -39,11 +39,10 @@ namespace Morsel::SPH
   class StaticBody : public Equilibrium
   {
   public:
-    /// @throws InputError, one sentence, if the body cannot be filled
+    /// @throws InputError, one sentence, if the body cannot be filled, or for
+    ///   conditions that concern nothing or leave it free to move
     StaticBody(const Scene::Scene &scene, const Scene::ParticleBody &body);
 
-    /// @throws InputError, one sentence, for conditions that concern nothing
-    ///   or leave the body free to move
     const StaticBodyResults &
     run();
 

@@ -155,9 +155,12 @@ namespace Morsel::SPH
     /// Finds the multipliers where supports depend on each other nearly, so
     /// that steps of them gain little: conjugate gradients on the
     /// supports' gaps, preconditioned by the penalties.
+    /// @param x the solution for the present multipliers
+    /// @param tolerance of the gaps over the largest displacement [1]
     void
     improve_multipliers(dealii::Vector<double> &x,
-                        const Factorisation    &factors);
+                        const Factorisation    &factors,
+                        const double            tolerance);
 
     /// The stiffness matrix, penalties of the supports included, times x.
     dealii::Vector<double>
