@@ -107,7 +107,7 @@ namespace Morsel::SPH
 
 
   void
-  Fracture::measure_cracks()
+  DamageEvolution::measure_cracks()
   {
     const NeighbourList near = find_neighbours(
         particles.reference, particles.n_owned, particles.spacing);
