@@ -115,7 +115,7 @@ namespace Morsel::SPH
   StaticBody::StaticBody(const Scene::Scene        &scene,
                          const Scene::ParticleBody &body,
                          const Cloud               &cloud,
-                         const double               cloud_time)
+                         const double              &cloud_time)
       : Equilibrium(cloud,
                     visibility_in(
                         body,

@@ -77,7 +77,7 @@ namespace Morsel::SPH
     StaticBody(const Scene::Scene        &scene,
                const Scene::ParticleBody &body,
                const Cloud               &cloud,
-               const double               cloud_time);
+               const double              &cloud_time);
 
     void
     apply_conditions(StaticSolid &solid);
