@@ -3,8 +3,8 @@
 
 // The table of one instruction set.
 
-#include <morsel/sph/bonded_kernels.h>
 #include <morsel/sph/driver_kernels.h>
+#include <morsel/sph/force_kernels.h>
 #include <morsel/sph/grain_kernels.h>
 
 #define MORSEL_TEXT_OF(name) #name
