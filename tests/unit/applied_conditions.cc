@@ -54,11 +54,11 @@ BOOST_AUTO_TEST_CASE(constant_stress_balances_its_tractions)
 {
   for (const char *normalisation : {"gradient matrix", "per axis"})
     {
-      Scene::Scene scene       = block({condition("top", "pressure", "-2000; 0"),
-                                        condition("bottom", "traction", "0; -2000"),
-                                        condition("left", "traction", "-700; 0"),
-                                        condition("right", "traction", "700; 0")});
-      auto        &body        = scene.particle_bodies.front();
+      Scene::Scene scene = block({condition("top", "pressure", "-2000; 0"),
+                                  condition("bottom", "traction", "0; -2000"),
+                                  condition("left", "traction", "-700; 0"),
+                                  condition("right", "traction", "700; 0")});
+      auto        &body  = scene.particle_bodies.front();
       body.solid.normalisation = normalisation;
       SPH::Solid             solid(body, scene, MPI_COMM_SELF);
       SPH::AppliedConditions conditions(scene, body, solid);
