@@ -56,11 +56,11 @@ BOOST_AUTO_TEST_CASE(constant_stress_balances_its_tractions)
                                                std::pair("per axis", 0.),
                                                std::pair("conforming", 0.2)})
     {
-      Scene::Scene scene       = block({condition("top", "pressure", "-2000; 0"),
-                                        condition("bottom", "traction", "0; -2000"),
-                                        condition("left", "traction", "-700; 0"),
-                                        condition("right", "traction", "700; 0")});
-      auto        &body        = scene.particle_bodies.front();
+      Scene::Scene scene = block({condition("top", "pressure", "-2000; 0"),
+                                  condition("bottom", "traction", "0; -2000"),
+                                  condition("left", "traction", "-700; 0"),
+                                  condition("right", "traction", "700; 0")});
+      auto        &body  = scene.particle_bodies.front();
       body.solid.normalisation = normalisation;
       body.scatter             = scatter;
       SPH::Solid             solid(body, scene, MPI_COMM_SELF);
