@@ -115,12 +115,14 @@ BOOST_AUTO_TEST_CASE(nothing_passes_through_a_crack)
 {
   // A crack all the way through: half of the body moves, the other half does
   // not know.
-  const Morsel::Fracture::Crack crack(
-      {{-dp, 7.43 * dp}, {19. * dp, 7.43 * dp}}, false, false);
   for (const char *normalisation : {"gradient matrix", "conforming"})
     {
-      const Scene::Scene scene = scattered_block(normalisation);
-      Solid      solid(scene.particle_bodies[0], scene, MPI_COMM_SELF, {crack});
+      Scene::Scene scene = scattered_block(normalisation);
+      auto        &body  = scene.particle_bodies[0];
+      body.cracks.paths  = "0, " + std::to_string(7.43 * dp) + " > " +
+                          std::to_string(body.shape.upper_corner[0]) + ", " +
+                          std::to_string(7.43 * dp);
+      Solid      solid(body, scene, MPI_COMM_SELF);
       Particles &p = solid.state();
       for (unsigned int i = 0; i < p.n_owned; ++i)
         if (p.reference[i][1] > 7.43 * dp)

@@ -348,7 +348,7 @@ BOOST_AUTO_TEST_CASE(a_moved_roller_draws_the_plate_out)
   BOOST_REQUIRE(points.size() == 2);
   BOOST_TEST(points[0].name == "B");
   const auto s = problem.get_material().stress(
-      problem.sample({points[0].place})[0].gradient);
+      problem.get_field().sample({points[0].place})[0].gradient);
   BOOST_TEST(std::abs(s[1][1] - exact) < 1e-8 * exact);
   BOOST_TEST(std::abs(s[0][0]) < 1e-8 * exact);
   BOOST_TEST(

@@ -266,8 +266,8 @@ BOOST_AUTO_TEST_CASE(particles_do_not_see_across_a_slot)
   add(scene, "upper", "traction", "0; 1e-2");
   SPH::StaticBody body(scene, scene.particle_bodies[0]);
   body.run();
-  const auto up   = body.sample({Point<2>(1.9, 1.2)})[0].value;
-  const auto down = body.sample({Point<2>(1.9, 0.9)})[0].value;
+  const auto up   = body.get_field().sample({Point<2>(1.9, 1.2)})[0].value;
+  const auto down = body.get_field().sample({Point<2>(1.9, 0.9)})[0].value;
   BOOST_TEST(std::abs(down[1]) < 0.05 * std::abs(up[1]));
 }
 
