@@ -44,8 +44,13 @@ namespace Morsel
       s.closure_after_failure = scene.stop.closure_after_failure;
       if (body.damage.enabled)
         {
-          s.prescribed_strength = body.material.compressive_strength;
-          s.minimum_peak        = 0.2 * body.material.compressive_strength;
+          // What is no block may split at a small share of the nominal stress
+          // that its material bears.
+          const bool block = body.shape.is_rectangle();
+          if (block)
+            s.prescribed_strength = body.material.compressive_strength;
+          s.minimum_peak =
+              (block ? 0.2 : 0.02) * body.material.compressive_strength;
         }
       return s;
     }

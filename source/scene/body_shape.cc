@@ -173,8 +173,8 @@ namespace Morsel::Scene
         kind,
         "'rectangle' between its corners; 'polygon' with any holes; 'annulus' "
         "(with an inner radius of 0 a disc) or a sector of it; the outline of "
-        "a 'mesh'. What is no rectangle is computed in static equilibrium "
-        "(Time/Solution).",
+        "a 'mesh'. Over time, sides are loaded and held on a rectangle's "
+        "lattice only.",
         Patterns::Selection("rectangle|polygon|annulus|mesh"));
     Rectangle::declare(prm);
     prm.add_parameter("Loops",
