@@ -43,10 +43,13 @@ def moments(run):
     return figure
 
 
-def over_time(run, prefix, unit, label):
-    """All columns of the history that begin so, over time; None without."""
+def over_time(run, prefix, unit, label, but=None):
+    """All columns of the history that begin so, over time; None without.
+
+    Those that begin with `but` are left out."""
     t = run.column("time")
     names = [n for n in run.history if n.startswith(prefix)
+             and not (but and n.startswith(but))
              and np.ptp(run.column(n)) > 0]
     if t is None or len(t) < 2 or not names:
         return None
@@ -67,12 +70,27 @@ def over_time(run, prefix, unit, label):
     return figure
 
 
+def stress_intensities(run):
+    """K of the bodies' cracks over time, what is expected of them dotted."""
+    figure = over_time(run, "stress_intensity_", "Pa sqrt(m)",
+                       "Stress intensity factor")
+    if figure is None:
+        return None
+    expected = {entry["reference"] for name, entry in run.results().items()
+                if name.startswith("stress_intensity_")
+                and entry.get("reference") is not None}
+    for value in expected:
+        figure.axes[0].axhline(value, color=style.QUIET, lw=0.9, ls=":")
+    return figure
+
+
 def stress_errors(run):
     """{observed point: largest error of its stress}, where one is known."""
     errors = {}
     for name, entry in run.results().items():
         parts = name.split("_", 2)
-        if parts[0] == "stress" and "error" in entry and len(parts) == 3:
+        if (parts[0] == "stress" and "error" in entry and len(parts) == 3
+                and parts[1] != "intensity"):
             point = parts[2].replace("_", " ")
             errors[point] = max(errors.get(point, 0.0), abs(entry["error"]))
     return errors
@@ -107,11 +125,15 @@ FIGURES = [
     ("displacements",
      lambda run: over_time(run, "displacement_", "m", "Displacement"),
      "Displacement of the observed points over time.", False),
-    ("stresses", lambda run: over_time(run, "stress_", "Pa", "Stress"),
+    ("stresses", lambda run: over_time(run, "stress_", "Pa", "Stress",
+                                       but="stress_intensity_"),
      "Stress at the observed points over time.", False),
     ("errors", errors_by_point,
      "Errors of the stress at the end where it is known: red above 1\u202f%.",
      False),
+    ("stress_intensities", stress_intensities,
+     "Stress intensity factors of the bodies' cracks over time, by the "
+     "interaction integral; dotted: what is expected of them.", False),
     ("forces", lambda run: over_time(run, "force_", "N", "Force"),
      "Force of supports and loads over time.", False),
     ("energy", curves.energy_ledger,
@@ -123,7 +145,7 @@ FIGURES = [
 SECTIONS = [
     ("The body", ["moments"]),
     ("Observed points, supports and loads",
-     ["displacements", "stresses", "errors", "forces"]),
+     ["displacements", "stresses", "errors", "stress_intensities", "forces"]),
     ("The energy ledger", ["energy"]),
 ]
 

@@ -195,10 +195,12 @@ class Run:
             )
 
     def is_plate(self):
-        """Whether this was a cracked plate rather than food."""
-        return (self.text("kind") == "cracked plate"
-                or any(n.startswith("stress_intensity_")
-                       for n in self.results()))
+        """Whether this was a cracked plate rather than a body of a scene."""
+        kind = self.text("kind")
+        return kind == "cracked plate" or (
+            not kind and not self.history
+            and any(n.startswith("stress_intensity_")
+                    for n in self.results()))
 
     def is_static(self):
         """Whether particle bodies were brought into static equilibrium."""
