@@ -18,6 +18,21 @@
 
 namespace Morsel::SPH
 {
+  namespace
+  {
+    template <int dim>
+    void
+    report_lost(
+        const dealii::Particles::ParticleIterator<dim> &particle,
+        const typename dealii::Triangulation<dim>::active_cell_iterator &)
+    {
+      throw NumericalError("The background mesh lost particle " +
+                           std::to_string(particle->get_id()) +
+                           ": it has left the box of its body.");
+    }
+  } // namespace
+
+
   using dealii::ArrayView;
   using dealii::Point;
 
@@ -106,12 +121,7 @@ namespace Morsel::SPH
     // particles that lie on faces, and says so only by this signal.
     static const dealii::MappingCartesian<dim> mapping;
     particle_handler->initialize(*mesh, mapping, 1 + dim);
-    particle_handler->signals.particle_lost.connect(
-        [](const auto &particle, const auto &) {
-          throw NumericalError("The background mesh lost particle " +
-                               std::to_string(particle->get_id()) +
-                               ": it has left the box of its body.");
-        });
+    particle_handler->signals.particle_lost.connect(&report_lost<dim>);
 
     const std::vector<double> no_properties(1 + dim, 0.);
     for (const auto &cell : mesh->active_cell_iterators())
