@@ -164,9 +164,12 @@ namespace Morsel
     sample_times.push_back(experiment.time());
     roughness.emplace_back();
     for (unsigned int b = 0; b < scene.particle_bodies.size(); ++b)
-      roughness.back().push_back(Measure::velocity_roughness(
-          experiment.bodies()[b]->get_particles(),
-          scene.particle_bodies[b].particles_across));
+      roughness.back().push_back(
+          scene.particle_bodies[b].is_even_lattice()
+              ? Measure::velocity_roughness(
+                    experiment.bodies()[b]->get_particles(),
+                    scene.particle_bodies[b].particles_across)
+              : 0.);
 
     std::vector<double> row = {experiment.time(),
                                static_cast<double>(experiment.step())};

@@ -190,7 +190,8 @@ namespace Morsel
       {
         const auto       &body = scene.particle_bodies[b];
         const std::string name = "_" + underscored(body.name);
-        if (body.scatter == 0.)
+        // These know neighbours by their place in the lattice.
+        if (body.is_even_lattice())
           {
             const auto noise = Measure::stress_noise(*experiment.bodies()[b],
                                                      body.particles_across);
@@ -199,10 +200,10 @@ namespace Morsel
                 "its four neighbours over that of the stress, at the end";
             summary.add("stress_noise_xx" + name, noise.xx, "1", meaning);
             summary.add("stress_noise_yy" + name, noise.yy, "1", meaning);
+            summarise_roughness(b, name);
           }
-        add_interior(body, *experiment.bodies()[b], name, summary);
-        if (body.scatter == 0.)
-          summarise_roughness(b, name);
+        if (body.is_plain_lattice())
+          add_interior(body, *experiment.bodies()[b], name, summary);
         summary.add("neighbours_per_particle" + name,
                     experiment.bodies()[b]->neighbours_per_particle(),
                     "1",
@@ -291,9 +292,12 @@ namespace Morsel
         const auto       &s       = body.solid;
         const std::string section = "Body " + body.name + "/Solid/";
         effects.push_back({s.formulation + " solid, normalisation " +
-                               s.normalisation + ", " + s.kernel,
+                               body.normalisation() + ", " + s.kernel,
                            true,
                            section + "Formulation"});
+        effects.push_back({"cracks",
+                           !body.cracks.paths.empty(),
+                           "Body " + body.name + "/Cracks/Paths"});
         effects.push_back({"hourglass control",
                            !s.is_updated() && s.hourglass > 0.,
                            section + "Hourglass coefficient"});

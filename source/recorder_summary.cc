@@ -51,6 +51,8 @@ namespace Morsel
     std::vector<Output::Effect> effects;
     effects.push_back(
         {"elastic solid (" + body.material.law + ")", true, where + "Kind"});
+    effects.push_back(
+        {"cracks", !body.cracks.paths.empty(), where + "Cracks/Paths"});
     effects.push_back({"hourglass control",
                        body.solid.hourglass > 0.,
                        where + "Solid/Hourglass coefficient"});

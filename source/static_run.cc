@@ -69,6 +69,7 @@ namespace Morsel
           add(body.material.plane_stress ? "plane stress" : "plane strain",
               true,
               "Material/Plane stress");
+          add("cracks", !body.cracks.paths.empty(), "Cracks/Paths");
           add("residual control of zero-energy modes",
               body.solid.hourglass > 0.,
               "Solid/Hourglass coefficient");

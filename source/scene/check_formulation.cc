@@ -88,14 +88,14 @@ namespace Morsel::Scene
                         "is applied to gradients of displacement or velocity; "
                         "applied to positions it would strain a body at "
                         "rest.)");
-      if (body.scatter > 0. && normalisation != "conforming" &&
+      if (!body.is_even_lattice() && normalisation != "conforming" &&
           !body.solid.is_updated())
         findings.advise(path,
                         normalisation == "gradient matrix"
-                            ? "on scattered particles a constant stress makes "
+                            ? "on uneven particles a constant stress makes "
                               "forces with the gradient matrix, and energies "
                               "are far too low; take 'conforming'."
-                            : "on scattered particles only the gradient matrix "
+                            : "on uneven particles only the gradient matrix "
                               "and the conforming gradient are exact for "
                               "linear fields.");
     }

@@ -74,6 +74,11 @@ namespace Morsel::Scene
       for (const ParticleBody &body : scene.particle_bodies)
         {
           const std::string section = "Body " + body.name + "/";
+          if (!body.expected_velocity_gradient.empty() &&
+              !body.is_plain_lattice())
+            findings.mistake(section + "Particles/Expected velocity gradient",
+                             "edges and corners are told apart on a "
+                             "rectangle's lattice only; leave it out.");
           if (!body.expected_displacement_field.empty())
             findings.mistake(section + "Particles/Expected displacement field",
                              "it is compared with static solutions alone.");
