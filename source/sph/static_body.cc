@@ -16,18 +16,6 @@ namespace Morsel::SPH
 
   namespace
   {
-    Cloud
-    timed_cloud(const Scene::ParticleBody &body,
-                const unsigned int         seed,
-                double                    &seconds)
-    {
-      dealii::Timer timer;
-      Cloud         cloud = body_cloud(body, seed);
-      seconds             = timer.wall_time();
-      return cloud;
-    }
-
-
     EquilibriumMethod
     method_of(const Scene::ParticleBody &body)
     {
@@ -98,28 +86,26 @@ namespace Morsel::SPH
 
   StaticBody::StaticBody(const Scene::Scene        &scene,
                          const Scene::ParticleBody &body)
-      : StaticBody(scene, body, 0.)
+      : StaticBody(scene, body, TimedCloud(body, scene.seed))
   {}
+
+
+  StaticBody::TimedCloud::TimedCloud(const Scene::ParticleBody &body,
+                                     const unsigned int         seed)
+  {
+    const dealii::Timer timer;
+    cloud   = body_cloud(body, seed);
+    seconds = timer.wall_time();
+  }
 
 
   StaticBody::StaticBody(const Scene::Scene        &scene,
                          const Scene::ParticleBody &body,
-                         double                     cloud_time)
-      : StaticBody(scene,
-                   body,
-                   timed_cloud(body, scene.seed, cloud_time),
-                   cloud_time)
-  {}
-
-
-  StaticBody::StaticBody(const Scene::Scene        &scene,
-                         const Scene::ParticleBody &body,
-                         const Cloud               &cloud,
-                         const double              &cloud_time)
-      : Equilibrium(cloud,
+                         const TimedCloud          &filled)
+      : Equilibrium(filled.cloud,
                     visibility_in(
                         body,
-                        cloud.points,
+                        filled.cloud.points,
                         KernelShapes::support(kernel_named(body.solid.kernel)) *
                             body.solid.smoothing_ratio * body.spacing),
                     method_of(body),
@@ -129,7 +115,7 @@ namespace Morsel::SPH
       , body(body)
       , outline(body.shape.outline())
   {
-    results.cloud_time  = cloud_time;
+    results.cloud_time  = filled.seconds;
     results.cells       = evenness(get_cloud());
     results.n_particles = get_cloud().size();
     prepare([this](StaticSolid &solid) { apply_conditions(solid); }, results);

@@ -50,12 +50,24 @@ namespace Morsel::SPH
               material.mu * dt * (L.xy + L.yx),
           sigma.zz + mean};
     }
+
+
+    /// Cells, which cost some time, only where their volumes differ.
+    Cloud
+    particles_of(const Scene::ParticleBody &body, const unsigned int seed)
+    {
+      if (!body.is_even_lattice())
+        return body_cloud(body, seed);
+      Cloud cloud;
+      cloud.points = body.positions(seed);
+      return cloud;
+    }
   } // namespace
 
 
   UpdatedLagrangian::UpdatedLagrangian(const Scene::ParticleBody &body,
                                        const Scene::Scene        &scene)
-      : UpdatedLagrangian(body, scene, body_cloud(body, scene.seed))
+      : UpdatedLagrangian(body, scene, particles_of(body, scene.seed))
   {}
 
 

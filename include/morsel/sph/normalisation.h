@@ -77,14 +77,6 @@ namespace Morsel::SPH
           }
       }
   }
-
-
-  /// Whether linear fields have exact gradients on every cloud.
-  inline bool
-  is_exact_for_linear_fields(const Normalisation normalisation)
-  {
-    return normalisation == Normalisation::gradient_matrix;
-  }
 } // namespace Morsel::SPH
 
 #endif

@@ -70,14 +70,17 @@ namespace Morsel::SPH
       unsigned int condition, begin, end;
     };
 
-    /// @param cloud_time for its wall time [s]
+    struct TimedCloud
+    {
+      TimedCloud(const Scene::ParticleBody &body, const unsigned int seed);
+
+      Cloud  cloud;
+      double seconds; ///< that filling took [s]
+    };
+
     StaticBody(const Scene::Scene        &scene,
                const Scene::ParticleBody &body,
-               double                     cloud_time);
-    StaticBody(const Scene::Scene        &scene,
-               const Scene::ParticleBody &body,
-               const Cloud               &cloud,
-               const double              &cloud_time);
+               const TimedCloud          &filled);
 
     void
     apply_conditions(StaticSolid &solid);
