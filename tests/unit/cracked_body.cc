@@ -37,10 +37,14 @@ BOOST_AUTO_TEST_CASE(crack_halves_do_not_pull)
       const auto scene = cracked_scene(12, formulation, "-0.006, 0 > 0.002, 0");
       const auto body  = SPH::make_body(scene);
       auto      &p     = body->state();
+      // Both forms answer after one step, the updated one by its rates.
+      const double dt = body->stable_time_step(0.);
       for (unsigned int i = 0; i < p.n_owned; ++i)
         if (p.reference[i][1] > 0.)
-          p.motion[i].u_y = 0.01 * spacing;
-      body->compute_accelerations(body->stable_time_step(0.));
+          p.half_velocity[i].y = 0.01 * spacing / dt;
+      body->compute_accelerations(dt);
+      body->advance(dt);
+      body->compute_accelerations(dt);
       double behind = 0., ahead = 0.;
       for (unsigned int i = 0; i < p.n_owned; ++i)
         {
@@ -51,14 +55,8 @@ BOOST_AUTO_TEST_CASE(crack_halves_do_not_pull)
           if (p.reference[i][0] > 0.0045)
             ahead = std::max(ahead, a);
         }
-      if (formulation == "total Lagrangian")
-        {
-          BOOST_TEST(ahead > 0.);
-          BOOST_TEST(behind < 1e-10 * ahead);
-        }
-      else
-        // Its stress comes from rates: all is at rest.
-        BOOST_TEST(ahead == 0.);
+      BOOST_TEST(ahead > 0.);
+      BOOST_TEST(behind < 1e-10 * ahead);
       const auto whole = SPH::make_body(cracked_scene(12, formulation, ""));
       BOOST_TEST(body->neighbours_per_particle() <
                  whole->neighbours_per_particle());
