@@ -1,10 +1,8 @@
 """The page: headline, figures, tables; one file that stands alone."""
 import base64
 import html
-import io
 import os
 
-import matplotlib.pyplot as plt
 
 from . import experiment_story, food_story, plate_story, static_story, style
 from .tables import effects_table, provenance, results_table
@@ -77,20 +75,13 @@ def draw(run, story):
         file = folder / (name + ".png")
         # A figure of a former run must not pass for one of this run.
         file.unlink(missing_ok=True)
-        try:
-            figure = make(run)
-        except (ValueError, IndexError, KeyError, TypeError) as error:
+        png, problem = style.picture(make, run)
+        if problem:
             run.notes.append(
-                f"The figure '{name}' could not be drawn ({error}).")
-            plt.close("all")
-            continue
-        if figure is None:
-            continue
-        buffer = io.BytesIO()
-        figure.savefig(buffer, format="png")
-        plt.close(figure)
-        pictures[name] = buffer.getvalue()
-        file.write_bytes(buffer.getvalue())
+                f"The figure '{name}' could not be drawn ({problem}).")
+        if png:
+            pictures[name] = png
+            file.write_bytes(png)
     return pictures
 
 

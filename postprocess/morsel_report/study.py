@@ -1,7 +1,6 @@
 """The page of a study: convergence, work and precision, lines over an axis."""
 import base64
 import html
-import io
 import math
 import os
 
@@ -278,8 +277,10 @@ def draw(study, notes):
     """All figures that the study calls for: [(name, caption, png)]."""
     folder = study.folder / "figures"
     folder.mkdir(exist_ok=True)
-    for old in folder.glob("*.png"):
-        old.unlink()
+    # Figures of a former report, which must not pass for this one's.
+    for name in ["kernels", *(figure[0] for figure in FIGURES)]:
+        for old in folder.glob(f"{name}_*.png"):
+            old.unlink()
     pictures = []
     wanted = [(quantity, entry, *figure)
               for quantity, entry in study.quantities.items()
@@ -292,20 +293,13 @@ def draw(study, notes):
             "tension is unstable where W'' is positive, and compression "
             "where it is negative (T3-32)."))
     for quantity, entry, name, make, caption in wanted:
-        try:
-            figure = make(study, quantity)
-        except (ValueError, IndexError, KeyError, TypeError) as error:
+        png, problem = style.picture(make, study, quantity)
+        if problem:
             notes.append(f"The figure '{name}' of {quantity} could not be "
-                         f"drawn ({error}).")
-            plt.close("all")
-            continue
-        if figure is None:
-            continue
-        buffer = io.BytesIO()
-        figure.savefig(buffer, format="png")
-        plt.close(figure)
-        (folder / f"{name}_{quantity}.png").write_bytes(buffer.getvalue())
-        pictures.append((entry["label"], caption, buffer.getvalue()))
+                         f"drawn ({problem}).")
+        if png:
+            (folder / f"{name}_{quantity}.png").write_bytes(png)
+            pictures.append((entry["label"], caption, png))
     return pictures
 
 

@@ -1,4 +1,5 @@
 """Numbers and colours as the whole report shows them."""
+import io
 import math
 
 import matplotlib
@@ -116,3 +117,19 @@ def is_share(name, unit):
     return unit == "1" and (
         name.endswith(("_share", "_error", "_strain", "strain_at_peak"))
         or "_error_" in name or "_over_strain_" in name)
+
+
+def picture(make, *arguments):
+    """(PNG, None) of the figure that make(*arguments) draws, (None, None) if
+    there is nothing to draw, (None, what went wrong) if it cannot."""
+    try:
+        figure = make(*arguments)
+    except (ValueError, IndexError, KeyError, TypeError) as error:
+        plt.close("all")
+        return None, str(error)
+    if figure is None:
+        return None, None
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format="png")
+    plt.close(figure)
+    return buffer.getvalue(), None
