@@ -1,64 +1,122 @@
-"""The page of a study: figures, tables, what failed."""
-import base64
+"""The page of a study: claims, figures, tables, what failed."""
 import html
-import os
 
-from . import kernels, style
-from .page import STYLE
+from . import kernels, page, style
+from .study_claims import claims_table
 from .study_data import Study, in_page
 from .study_figures import FIGURES
+from .study_relations import (relation_caption, relation_figure,
+                              relation_tables, title_of)
+from .study_runs import grid_of, history_figure, run_pictures
 from .study_tables import (rate_table, run_table, statistics_table,
                            time_table)
 
+QUICK = ("The quick setting: fewer values or coarser ones, for a first look. "
+         "The numbers to quote are those of the full setting.")
 
-def draw(study, notes):
-    """All figures that the study calls for: [(name, caption, png)]."""
-    folder = study.folder / "figures"
-    folder.mkdir(exist_ok=True)
-    # Figures of a former report, which must not pass for this one's.
-    for name in ["kernels", *(figure[0] for figure in FIGURES)]:
-        for old in folder.glob(f"{name}_*.png"):
-            old.unlink()
-    pictures = []
-    wanted = [(quantity, entry, *figure)
-              for quantity, entry in study.quantities.items()
-              for figure in FIGURES]
+
+def attempt(study, what, make, *arguments):
+    """What make(*arguments) returns; empty, with a note, where it cannot."""
+    try:
+        return make(*arguments)
+    except style.BROKEN as error:
+        study.notes.append(f"{what} cannot be shown "
+                           f"({style.problem_of(error)}).")
+        return ""
+
+
+def drawing(study, file, what, make, *arguments):
+    """The PNG of a figure, saved in figures/; None where there is none."""
+    png, problem = style.picture(make, *arguments)
+    if problem:
+        study.notes.append(f"{what} could not be drawn ({problem}).")
+    if png:
+        (study.folder / "figures" / f"{file}.png").write_bytes(png)
+    return png
+
+
+def captioned(label, caption, png):
+    """A figure of the page; label is HTML."""
+    caption = html.escape(caption)
+    return page.embedded(png, f"<b>{label}.</b> {caption}", caption)
+
+
+def own_figure(study, entry):
+    """A figure that the study's file asks for."""
+    name, title = entry["name"], entry.get("title") or entry["name"]
+    caption = entry.get("caption") or ""
+    if entry["kind"] == "history":
+        png = drawing(study, f"figure_{name}", f"The figure '{name}'",
+                      history_figure, study, entry)
+        return captioned(in_page(title), caption, png) if png else ""
+    if entry["kind"] != "picture":
+        raise ValueError(f"its kind is '{entry['kind']}'")
+    pictures = run_pictures(study, entry)
+    for k, (_, png, _) in enumerate(pictures):
+        (study.folder / "figures" / f"picture_{name}_{k}.png").write_bytes(png)
+    if not pictures:
+        return ""
+    return (f"{grid_of(pictures)}<figcaption><b>{in_page(title)}.</b> "
+            f"{html.escape(caption)}</figcaption>")
+
+
+def relation_part(study, relation):
+    """Figure and tables of a relation."""
+    name = relation["name"]
+    png = drawing(study, f"relation_{name}", f"The relation '{name}'",
+                  relation_figure, study, relation)
+    if not png:
+        return ""
+    return captioned(title_of(relation), relation_caption(study, relation),
+                     png) + relation_tables(study, relation)
+
+
+def automatic_figures(study):
+    """The figures that are called for by what varies."""
+    wanted = [(quantity, study.label_of(quantity), *figure)
+              for quantity in study.drawn() for figure in FIGURES]
     if kernels.is_stability_study(study):
         wanted.insert(0, (
-            "all", {"label": "Kernels"}, "kernels",
+            "all", "Kernels", "kernels",
             lambda *_: kernels.figure_of_kernels(),
             "The kernels with their derivatives. At the nearest neighbours "
             "tension is unstable where W'' is positive, and compression "
             "where it is negative (T3-32)."))
-    for quantity, entry, name, make, caption in wanted:
-        png, problem = style.picture(make, study, quantity)
-        if problem:
-            notes.append(f"The figure '{name}' of {quantity} could not be "
-                         f"drawn ({problem}).")
+    parts = []
+    for quantity, label, name, make, caption in wanted:
+        png = drawing(study, f"{name}_{quantity}",
+                      f"The figure '{name}' of {quantity}", make, study,
+                      quantity)
         if png:
-            (folder / f"{name}_{quantity}.png").write_bytes(png)
-            pictures.append((entry["label"], caption, png))
-    return pictures
+            parts.append(captioned(in_page(label), caption, png))
+    return "\n".join(parts)
 
 
-def picture(label, caption, png):
-    """A figure of the page."""
-    data = base64.b64encode(png).decode("ascii")
-    text = html.escape(caption)
-    return (f'<figure><img src="data:image/png;base64,{data}" alt="{text}">'
-            f"<figcaption><b>{in_page(label)}.</b> {text}</figcaption>"
-            "</figure>")
+def figures_of(study):
+    """All figures of a study; those of a former report are removed."""
+    folder = study.folder / "figures"
+    folder.mkdir(exist_ok=True)
+    for name in ["kernels", "figure", "picture", "relation",
+                 *(figure[0] for figure in FIGURES)]:
+        for old in folder.glob(f"{name}_*.png"):
+            old.unlink()
+    parts = [attempt(study, f"The figure '{entry.get('name')}'", own_figure,
+                     study, entry) for entry in study.data["figures"]]
+    parts += [attempt(study, f"The relation '{relation.get('name')}'",
+                      relation_part, study, relation)
+              for relation in study.data["relations"]]
+    parts.append(attempt(study, "A figure", automatic_figures, study))
+    return "\n".join(part for part in parts if part)
 
 
 def failures(study):
-    """A note for the runs that failed, with their reasons."""
-    titles = {s["name"]: s["title"] for s in study.series}
+    """Notes for the runs that failed, with their reasons."""
     failed = [r for r in study.runs if r["status"] == "failed"]
     notes = []
     for r in failed[:20]:
         where = ", ".join(f"{a} = {v if isinstance(v, str) else f'{v:g}'}"
                           for a, v in r["axes"].items())
-        notes.append(f"Failed: {titles[r['series']]}, {where}: "
+        notes.append(f"Failed: {study.title_of(r['series'])}, {where}: "
                      f"{r['message']}")
     if len(failed) > 20:
         notes.append(f"{len(failed) - 20} further runs failed; see study.csv.")
@@ -69,36 +127,40 @@ def failures(study):
     return notes
 
 
+def contents(study, level=2, longest=40):
+    """What a page shows of a study, below headings of this level; tables of
+    more runs than the longest number are folded."""
+    parts = [("Beside what is published",
+              attempt(study, "The claims", claims_table, study)),
+             ("What the study shows", figures_of(study))]
+    parts += [(f"Time to reach an error of {in_page(study.label_of(q))}",
+               attempt(study, "The times to reach errors", time_table, study,
+                       q)) for q in study.quantities]
+    parts += [("Convergence rates",
+               attempt(study, "The rates", rate_table, study)),
+              ("Over the draws",
+               attempt(study, "The statistics", statistics_table, study)),
+              ("All runs",
+               attempt(study, "The runs", run_table, study, longest))]
+    failed = attempt(study, "What failed", failures, study) or []
+    notes = ([QUICK] if study.data.get("quick") else []) + study.notes + failed
+    return [page.note(text) for text in notes] + [
+        f"<h{level}>{title}</h{level}>\n{text}"
+        for title, text in parts if text]
+
+
 def write(folder):
     """Draws, composes and writes report.html of a study; returns its path."""
     study = Study(folder)
-    notes = []
-    pictures = draw(study, notes)
-    title = study.data["title"] or study.data["name"]
-    finished = sum(r["status"] == "finished" for r in study.runs)
+    finished = sum(r.get("status") == "finished" for r in study.runs)
     body = ['<p class="kicker">MORSEL · a study</p>',
-            f"<h1>{html.escape(title)}</h1>",
+            f"<h1>{html.escape(study.title)}</h1>",
             f'<p class="lead">{finished} of {len(study.runs)} runs finished, '
             f"in {len(study.series)} series.</p>"]
-    body += [f'<p class="note">{html.escape(note)}</p>'
-             for note in notes + failures(study)]
-    body += ["<h2>What the study shows</h2>"] if pictures else []
-    body += [picture(*p) for p in pictures]
-    body += [time_table(study, q) for q in study.quantities]
-    body += [rate_table(study), statistics_table(study), run_table(study)]
+    body += contents(study)
     body.append("<h2>Where this comes from</h2><p>Study "
-                f"<code>{html.escape(study.data['study'])}</code>, program "
-                f"version {html.escape(study.data['program_version'])}. Beside "
+                f"<code>{html.escape(study.text('study'))}</code>, program "
+                f"version {html.escape(study.text('program_version'))}. Beside "
                 "this page: study.csv, study.json, used.prm, run.log, figures, "
                 "runs.</p>")
-    text = ('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
-            '<meta name="viewport" content="width=device-width">'
-            f"<title>{html.escape(title)} · Morsel</title>"
-            f"<style>{STYLE}</style></head>\n<body><main>\n"
-            + "\n".join(part for part in body if part)
-            + "\n</main></body></html>\n")
-    report = study.folder / "report.html"
-    temporary = report.with_suffix(".html.tmp")
-    temporary.write_text(text, encoding="utf-8")
-    os.replace(temporary, report)
-    return report
+    return page.save(study.folder / "report.html", study.title, body)

@@ -87,7 +87,6 @@ def side_by_side(study, quantity):
         factor, unit = style.prefix_of(
             max(map(abs, values)), study.quantities[quantity]["unit"])
         values = [factor * v for v in values]
-    titles = {s["name"]: s["title"] for s in study.series}
     order = {s["name"]: k for k, s in enumerate(study.series)}
     figure, axes = plt.subplots(figsize=(7.4, 0.3 * len(runs) + 1.1),
                                 layout="constrained")
@@ -100,7 +99,7 @@ def side_by_side(study, quantity):
                       xytext=(8 if value >= 0 else -8, 0),
                       ha="left" if value >= 0 else "right")
     axes.set_yticks(range(len(runs)), [", ".join(
-        ([titles[r["series"]]] if len(study.series) > 1 else [])
+        ([study.title_of(r["series"])] if len(study.series) > 1 else [])
         + [study.name_of(a, r) for a in leading_axes(study) if a in r["axes"]])
         for r in runs])
     axes.set_ylim(len(runs) - 0.5, -0.5)

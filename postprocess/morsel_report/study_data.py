@@ -14,6 +14,22 @@ COLOURS = [style.BLUE, style.RED, style.GREEN, style.PURPLE, style.ORANGE,
            style.SKY, style.BLACK, "#8c6d31"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 
+# What study.json must have, and what the members are that it may have.
+NEEDED = {"runs": list, "series": list, "quantities": dict, "axes": dict}
+OPTIONAL = {"rates": list, "pareto_fronts": list, "time_to_reach": list,
+            "statistics": list, "relations": list, "claims": list,
+            "figures": list, "resolution": dict}
+
+
+def read_document(file):
+    """The object that a JSON file holds."""
+    try:
+        document = json.loads(file.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise NoRun(f"'{file}' is not readable: {error}.") from error
+    if not isinstance(document, dict):
+        raise NoRun(f"'{file}' holds no object.")
+    return document
 
 
 class Study:
@@ -21,16 +37,53 @@ class Study:
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
-        text = (self.folder / "study.json").read_text(encoding="utf-8")
-        try:
-            self.data = json.loads(text)
-        except json.JSONDecodeError as error:
-            raise NoRun(f"'{self.folder}/study.json' is not readable: "
-                        f"{error}.") from error
+        self.notes = []
+        self.data = read_document(self.folder / "study.json")
+        for name, kind in NEEDED.items():
+            if not isinstance(self.data.get(name), kind):
+                raise NoRun(f"'{self.folder}/study.json' is no study's: its "
+                            f"'{name}' cannot be read.")
+        for name, kind in OPTIONAL.items():
+            self._check(name, kind)
+        self.data.setdefault("timing", False)
+        self.data["resolution"].setdefault("label", "resolution")
+        self.title = self.text("title") or self.text("name") or "A study"
         self.runs = self.data["runs"]
         self.series = self.data["series"]
         self.quantities = self.data["quantities"]
         self.axes = self.data["axes"]
+
+    def _check(self, name, kind):
+        """Makes sure that a member is there; what is unreadable is noted."""
+        member = self.data.get(name)
+        readable = isinstance(member, kind) and (kind is dict or all(
+            isinstance(entry, dict) for entry in member))
+        if not readable:
+            if member is not None:
+                self.notes.append(f"study.json: '{name}' cannot be read.")
+            self.data[name] = kind()
+
+    def text(self, name):
+        """A text of study.json; empty where there is none."""
+        return str(self.data.get(name) or "")
+
+    def title_of(self, name):
+        """The title of a series."""
+        return next((s["title"] for s in self.series if s["name"] == name),
+                    str(name))
+
+    def label_of(self, quantity):
+        """The label of a quantity."""
+        return self.quantities.get(quantity, {}).get("label") or str(quantity)
+
+    def unit_of(self, quantity):
+        """The unit of a quantity."""
+        return self.quantities.get(quantity, {}).get("unit") or "1"
+
+    def drawn(self):
+        """The quantities that get figures by themselves."""
+        return [q for q, entry in self.quantities.items()
+                if entry.get("drawn", True)]
 
     def of_series(self, name):
         """The finished runs of a series."""
@@ -163,6 +216,18 @@ def free_axes(study, runs):
             if study.axes[n]["kind"] != "texts"
             and len({r["axes"].get(n) for r in runs} - {None}) > 2
             and not study.refines(n)]
+
+
+def name_among(study, run, others, draws=True):
+    """What tells a run from others: its series, and the axes that vary."""
+    parts = []
+    if len({r["series"] for r in others}) > 1:
+        parts.append(study.title_of(run["series"]))
+    parts += [study.name_of(a, run) for a in run["axes"]
+              if len({r["axes"].get(a) for r in others}) > 1
+              and study.axes[a]["together_with"] not in study.axes
+              and (draws or a not in study.random_axes())]
+    return ", ".join(parts) or study.title_of(run["series"])
 
 
 def runs_with(study, quantity):

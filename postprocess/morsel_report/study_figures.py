@@ -118,9 +118,7 @@ def work_precision(study, quantity):
     grid[0][0].set_ylabel("Error of " + in_figure(study.quantities[quantity]["label"]))
     handles, labels = grid[0][0].get_legend_handles_labels()
     columns = min(5, len(labels))
-    rows = math.ceil(len(labels) / columns)
-    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - 0.02 - 0.055 * rows))
-    figure.legend(handles, labels, loc="upper center", ncol=columns)
+    style.legend_above(figure, handles, labels, columns)
     return figure
 
 

@@ -5,16 +5,22 @@ from . import style
 from .study_data import in_page
 
 
-def table(head, rows, first=1):
-    """A table; all columns but the first ones hold numbers."""
+def table(head, rows, words=(0,), kind=""):
+    """A table; all columns but some hold numbers."""
     def cells(row, tag):
         return "".join(
-            f'<{tag}{"" if i < first else " class=n"}>{cell}</{tag}>'
+            f'<{tag}{"" if i in words else " class=n"}>{cell}</{tag}>'
             for i, cell in enumerate(row))
 
-    return ("<table><thead><tr>" + cells(head, "th") + "</tr></thead><tbody>"
+    kind = f' class="{kind}"' if kind else ""
+    return (f"<table{kind}><thead><tr>{cells(head, 'th')}</tr></thead><tbody>"
             + "".join(f"<tr>{cells(r, 'td')}</tr>" for r in rows)
             + "</tbody></table>")
+
+
+def folded(text, summary):
+    """What the reader opens if he wants to."""
+    return f"<details><summary>{summary}</summary>{text}</details>"
 
 
 def time_table(study, quantity):
@@ -23,14 +29,13 @@ def time_table(study, quantity):
                if e["quantity"] == quantity]
     if not entries or not study.data["timing"]:
         return ""
-    titles = {s["name"]: s["title"] for s in study.series}
     levels = [level["error"] for level in entries[0]["levels"]]
     best = [min((e["levels"][i]["time"] for e in entries
                  if e["levels"][i]["time"] is not None), default=None)
             for i in range(len(levels))]
     rows = []
     for e in entries:
-        row = [html.escape(titles[e["series"]])]
+        row = [html.escape(study.title_of(e["series"]))]
         for i, level in enumerate(e["levels"]):
             if level["time"] is None:
                 row.append("–")
@@ -40,9 +45,7 @@ def time_table(study, quantity):
                 text = "≤\u202f" + text
             row.append(f"<b>{text}</b>" if level["time"] == best[i] else text)
         rows.append(row)
-    label = in_page(study.quantities[quantity]["label"])
-    return (f"<h2>Time to reach an error of {label}</h2>"
-            + table(["Series"] + [f"{100 * x:g}\u202f%" for x in levels], rows)
+    return (table(["Series"] + [f"{100 * x:g}\u202f%" for x in levels], rows)
             + "<p>From this time on all runs of the series are at least as "
             "good, interpolated between runs; ≤: already the cheapest run is; "
             "–: no run is. In bold the fastest.</p>")
@@ -53,20 +56,18 @@ def rate_table(study):
     rates = [f for f in study.data["rates"] if study.converges(f["quantity"])]
     if not rates:
         return ""
-    titles = {s["name"]: s["title"] for s in study.series}
     rows = []
     for f in rates:
         where = ", ".join(f"{a} = {v}" for a, v in f["at"].items())
         rows.append([in_page(study.quantities[f["quantity"]]["label"]),
-                     html.escape(titles[f["series"]]
+                     html.escape(study.title_of(f["series"])
                                  + (", " + where if where else "")),
                      f"{f['rate']:.3f}",
                      "" if f["low"] is None else
                      f"{f['low']:.2f} … {f['high']:.2f}", f["points"]])
     label = html.escape(study.data["resolution"]["label"])
-    return ("<h2>Convergence rates</h2>"
-            + table(["Result", "Series", "Rate", "95\u202f% confidence",
-                     "Runs"], rows, 2)
+    return (table(["Result", "Series", "Rate", "95\u202f% confidence",
+                   "Runs"], rows, (0, 1))
             + f"<p>Error = constant · ({label})<sup>−rate</sup>.</p>")
 
 
@@ -74,7 +75,6 @@ def statistics_table(study):
     """Means and deviations over draws."""
     if not study.data["statistics"]:
         return ""
-    titles = {s["name"]: s["title"] for s in study.series}
     rows = []
     for s in study.data["statistics"]:
         unit = study.quantities[s["quantity"]]["unit"]
@@ -82,30 +82,30 @@ def statistics_table(study):
         errors = s.get("absolute_error")
         rows.append([
             in_page(study.quantities[s["quantity"]]["label"]),
-            html.escape(titles[s["series"]] + (", " + where if where else "")),
+            html.escape(study.title_of(s["series"])
+                        + (", " + where if where else "")),
             s["value"]["count"], style.quantity(s["value"]["mean"], unit, 6),
             style.quantity(s["value"]["standard_deviation"], unit, 3),
             style.percent(s["error"]["mean"]) if errors else "",
             style.percent(errors["median"]) if errors else "",
             style.percent(errors["largest"]) if errors else ""])
-    return ("<h2>Over the draws</h2>"
-            + table(["Result", "Series", "Runs", "Mean", "Deviation",
-                     "Mean error", "Median |error|", "Largest |error|"],
-                    rows, 2))
+    text = table(["Result", "Series", "Runs", "Mean", "Deviation",
+                  "Mean error", "Median |error|", "Largest |error|"], rows,
+                 (0, 1))
+    return folded(text, f"All {len(rows)} means") if len(rows) > 20 else text
 
 
-def run_table(study):
-    """Every run; long tables can be opened."""
+def run_table(study, longest=40):
+    """Every run; tables with more than the longest number can be opened."""
     names = list(study.quantities)
     head = ["Series", "Setting"]
     for n in names:
         label = in_page(study.quantities[n]["label"])
         head += [label] + (["error"] if study.has_errors(n) else [])
     head += ["Time", "Unknowns", "Memory"]
-    titles = {s["name"]: s["title"] for s in study.series}
     rows = []
     for r in study.runs:
-        row = [html.escape(titles[r["series"]])]
+        row = [html.escape(study.title_of(r["series"]))]
         row.append("<br>".join(html.escape(study.name_of(a, r))
                                for a in study.axes if a in r["axes"]))
         for n in names:
@@ -123,8 +123,6 @@ def run_table(study):
         else:
             row += [html.escape(r["status"]), "", ""]
         rows.append(row)
-    text = table(head, rows, 2)
-    if len(rows) > 40:
-        text = (f"<details><summary>All {len(rows)} runs</summary>{text}"
-                "</details>")
-    return "<h2>All runs</h2>" + text
+    text = f'<div class="scroll">{table(head, rows, (0, 1))}</div>'
+    return (folded(text, f"All {len(rows)} runs") if len(rows) > longest
+            else text)
