@@ -4,7 +4,7 @@ import pathlib
 
 from . import page, style, study_claims
 from .reader import NoRun
-from .study import attempt, contents
+from .study import contents
 from .study_data import Study, read_document
 from .study_tables import table
 
@@ -117,11 +117,9 @@ def write(folder):
              if paragraph]
     body += [page.note(QUICK)] if document.get("quick") else []
     body += ["<h2>Contents</h2>", table_of_contents(parts)]
-    claims = [attempt(p.study, "The claims", study_claims.overview_rows,
-                      p.study, p.link) or [] for p in parts if p.study]
-    if any(claims):
-        body += ["<h2>Published numbers, and ours</h2>",
-                 study_claims.overview(sum(claims, []))]
+    claims = study_claims.overview([(p.study, p.link) for p in parts
+                                    if p.study])
+    body += ["<h2>Published numbers, and ours</h2>", claims] if claims else []
     for part in parts:
         body += part.body()
     body.append(

@@ -46,7 +46,8 @@ def place(axes, points, texts, colours, avoid):
             outside = size[0] * size[1] - overlap(box, frame)
             crossed = np.sum((way[:, 0] > box[0]) & (way[:, 0] < box[2])
                              & (way[:, 1] > box[1]) & (way[:, 1] < box[3]))
-            return 10 * hidden + 30 * outside + 12 * crossed + 4 * distance
+            return (10 * hidden + 30 * outside + 60 * (crossed > 0)
+                    + 6 * crossed + 4 * distance)
 
         candidates = [(beside(at[i], a, d, size), d)
                       for d in DISTANCES for a in DIRECTIONS]

@@ -27,11 +27,13 @@ p{margin:8px 0;max-width:46em}
 h3{font-size:17px;margin:30px 0 8px;font-weight:650}
 figure{margin:14px 0 22px}
 figure img{width:100%;height:auto;display:block}
-figcaption{font-size:14px;color:var(--quiet);max-width:62em;margin-top:6px}
+figcaption,.above{font-size:14px;color:var(--quiet);max-width:62em;
+ margin-top:6px}
+.above{margin-top:26px}
 .pair{display:grid;grid-template-columns:1fr 1fr;gap:6px 28px}
 .note{background:#fdf6e3;border-left:4px solid #E69F00;padding:9px 14px;
  font-size:15px;margin:12px 0;max-width:none}
-table{border-collapse:collapse;width:100%;font-size:14.5px;line-height:1.4}
+table{border-collapse:collapse;width:100%;margin-bottom:12px;font-size:14.5px;line-height:1.4}
 th{text-align:left;font-weight:600;border-bottom:2px solid #bbb;
  padding:6px 14px 6px 0;vertical-align:bottom}
 td{border-bottom:1px solid #ececec;padding:6px 14px 6px 0;
@@ -44,7 +46,7 @@ td code{font-size:12.5px;color:var(--quiet);
 .claims td:last-child{width:34%}
 .claims small{display:block;color:var(--quiet);font-size:13px}
 .scroll{overflow-x:auto}
-a{color:var(--accent);text-decoration:none}
+a{color:var(--accent);text-decoration:none}.whole{white-space:nowrap}
 .bar{display:block;background:var(--accent);height:9px;border-radius:2px;
  min-width:1px}
 .off td{color:#8a8a8a}

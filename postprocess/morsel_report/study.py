@@ -3,7 +3,7 @@ import html
 
 from . import kernels, page, style
 from .study_claims import claims_table
-from .study_data import Study, in_page
+from .study_data import Study, capital, in_page
 from .study_figures import FIGURES
 from .study_relations import (relation_caption, relation_figure,
                               relation_tables, title_of)
@@ -13,16 +13,6 @@ from .study_tables import (rate_table, run_table, statistics_table,
 
 QUICK = ("The quick setting: fewer values or coarser ones, for a first look. "
          "The numbers to quote are those of the full setting.")
-
-
-def attempt(study, what, make, *arguments):
-    """What make(*arguments) returns; empty, with a note, where it cannot."""
-    try:
-        return make(*arguments)
-    except style.BROKEN as error:
-        study.notes.append(f"{what} cannot be shown "
-                           f"({style.problem_of(error)}).")
-        return ""
 
 
 def drawing(study, file, what, make, *arguments):
@@ -56,8 +46,8 @@ def own_figure(study, entry):
         (study.folder / "figures" / f"picture_{name}_{k}.png").write_bytes(png)
     if not pictures:
         return ""
-    return (f"{grid_of(pictures)}<figcaption><b>{in_page(title)}.</b> "
-            f"{html.escape(caption)}</figcaption>")
+    return (f'<p class="above"><b>{in_page(title)}.</b> '
+            f"{html.escape(caption)}</p>{grid_of(pictures)}")
 
 
 def relation_part(study, relation):
@@ -88,7 +78,8 @@ def automatic_figures(study):
                       f"The figure '{name}' of {quantity}", make, study,
                       quantity)
         if png:
-            parts.append(captioned(in_page(label), caption, png))
+            parts.append(captioned(in_page(capital(label)), caption,
+                                   png))
     return "\n".join(parts)
 
 
@@ -100,12 +91,12 @@ def figures_of(study):
                  *(figure[0] for figure in FIGURES)]:
         for old in folder.glob(f"{name}_*.png"):
             old.unlink()
-    parts = [attempt(study, f"The figure '{entry.get('name')}'", own_figure,
+    parts = [study.attempt(f"The figure '{entry.get('name')}'", own_figure,
                      study, entry) for entry in study.data["figures"]]
-    parts += [attempt(study, f"The relation '{relation.get('name')}'",
+    parts += [study.attempt(f"The relation '{relation.get('name')}'",
                       relation_part, study, relation)
               for relation in study.data["relations"]]
-    parts.append(attempt(study, "A figure", automatic_figures, study))
+    parts.append(study.attempt("A figure", automatic_figures, study))
     return "\n".join(part for part in parts if part)
 
 
@@ -131,18 +122,18 @@ def contents(study, level=2, longest=40):
     """What a page shows of a study, below headings of this level; tables of
     more runs than the longest number are folded."""
     parts = [("Beside what is published",
-              attempt(study, "The claims", claims_table, study)),
+              study.attempt("The claims", claims_table, study)),
              ("What the study shows", figures_of(study))]
     parts += [(f"Time to reach an error of {in_page(study.label_of(q))}",
-               attempt(study, "The times to reach errors", time_table, study,
+               study.attempt("The times to reach errors", time_table, study,
                        q)) for q in study.quantities]
     parts += [("Convergence rates",
-               attempt(study, "The rates", rate_table, study)),
+               study.attempt("The rates", rate_table, study)),
               ("Over the draws",
-               attempt(study, "The statistics", statistics_table, study)),
+               study.attempt("The statistics", statistics_table, study)),
               ("All runs",
-               attempt(study, "The runs", run_table, study, longest))]
-    failed = attempt(study, "What failed", failures, study) or []
+               study.attempt("The runs", run_table, study, longest))]
+    failed = study.attempt("What failed", failures, study) or []
     notes = ([QUICK] if study.data.get("quick") else []) + study.notes + failed
     return [page.note(text) for text in notes] + [
         f"<h{level}>{title}</h{level}>\n{text}"

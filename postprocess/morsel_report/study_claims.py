@@ -3,11 +3,22 @@ import html
 
 from . import style
 from .study_data import in_page
+from .study_relations import correlation
 from .study_tables import table
 
 
-def numbers_of(claim):
-    """Stated, ours and their difference as texts; empty where unknown."""
+def group_of(study, claim):
+    """The group of a relation whose correlation is a claim's; None without."""
+    found = [g for r in study.data["relations"]
+             if r.get("name") == claim["relation"] for g in r["groups"]
+             if claim.get("series") in (None, "", g["series"])]
+    return found[0] if len(found) == 1 else None
+
+
+def numbers_of(study, claim):
+    """Stated, ours and their difference as texts; empty where unknown.
+
+    Correlations have their interval, and differ by a number, not a share."""
     stated, ours = claim.get("stated"), claim.get("ours")
     unit = claim.get("unit") or "1"
     largest = max((abs(v) for v in (stated, ours) if v is not None), default=0)
@@ -17,12 +28,18 @@ def numbers_of(claim):
     texts = ["", "", ""]
     if stated is not None:
         texts[0] = style.plain(factor * stated) + name
-    if ours is not None:
+    if claim.get("relation"):
+        group = group_of(study, claim)
+        texts[1] = (correlation(group) if group else
+                    "" if ours is None else style.digits(ours, 3))
+        if None not in (stated, ours):
+            texts[2] = style.shift(ours - stated)
+    elif ours is not None:
         deviation = claim.get("ours_deviation")
         texts[1] = style.measured(
             factor * ours, deviation and factor * deviation) + name
-    if claim.get("difference") is not None:
-        texts[2] = style.difference(claim["difference"])
+        if claim.get("difference") is not None:
+            texts[2] = style.difference(claim["difference"])
     return texts
 
 
@@ -44,39 +61,52 @@ def measured_by(study, claim):
     return text
 
 
+def claim_row(study, claim):
+    """A row of the table of claims."""
+    by = measured_by(study, claim)
+    statement = (f"<small>{html.escape(claim.get('source') or '')}</small>"
+                 + html.escape(claim.get("says") or "")
+                 + (f"<small>Here: {by}</small>" if by else ""))
+    words = [f"<b>{html.escape(claim['finding'])}</b>"
+             if claim.get("finding") else "",
+             html.escape(claim.get("why") or "")]
+    return [statement, *map(html.escape, numbers_of(study, claim)),
+            "<br>".join(w for w in words if w)]
+
+
+def rows_of(study, make, *arguments):
+    """A row for each claim that can be read."""
+    rows = [study.attempt(f"The claim '{claim.get('name')}'", make, study,
+                          claim, *arguments)
+            for claim in study.data["claims"]]
+    return [row for row in rows if row]
+
+
 def claims_table(study):
     """All claims of a study, one row each."""
-    rows = []
-    for claim in study.data["claims"]:
-        by = measured_by(study, claim)
-        statement = (f"<small>{html.escape(claim.get('source') or '')}</small>"
-                     + html.escape(claim.get("says") or "")
-                     + (f"<small>Here: {by}</small>" if by else ""))
-        words = [f"<b>{html.escape(claim['finding'])}</b>"
-                 if claim.get("finding") else "",
-                 html.escape(claim.get("why") or "")]
-        rows.append([statement, *map(html.escape, numbers_of(claim)),
-                     "<br>".join(w for w in words if w)])
+    rows = rows_of(study, claim_row)
     if not rows:
         return ""
     return table(["Published", "Stated", "Ours", "Difference",
                   "What we find, and why"], rows, (0, 4), "claims")
 
 
-def overview_rows(study, link):
-    """The study's claims with numbers, rows that link to its section."""
-    rows = []
-    for claim in study.data["claims"]:
-        numbers = numbers_of(claim)
-        if numbers[0]:
-            source = html.escape(claim.get("source") or study.title)
-            rows.append([f'<a href="#{link}">{source}</a>',
-                         measured_by(study, claim),
-                         *(html.escape(n) or "–" for n in numbers)])
-    return rows
+def overview_row(study, claim, link):
+    """A row of the overview of a collection, if the claim has a number."""
+    numbers = numbers_of(study, claim)
+    if not numbers[0]:
+        return []
+    source = html.escape(claim.get("source") or study.title)
+    kind = ' class="whole"' if len(source) < 28 else ""
+    return [f'<a href="#{link}"{kind}>{source}</a>', measured_by(study, claim),
+            *(html.escape(n) or "–" for n in numbers)]
 
 
-def overview(rows):
-    """The table of such rows."""
+def overview(parts):
+    """The claims with numbers of studies, [(study, link to its section)]."""
+    rows = [row for study, link in parts
+            for row in rows_of(study, overview_row, link)]
+    if not rows:
+        return ""
     return table(["Published", "What", "Stated", "Ours", "Difference"], rows,
                  (0, 1))

@@ -8,6 +8,9 @@ from . import kernels, style
 from .study_data import (COLOURS, axis_label, free_axes, groups_of, in_figure,
                          leading_axes, runs_with)
 
+# More settings than these are left to the table of means.
+MOST_ROWS = 40
+
 
 def over_two_axes(study, quantity):
     """The quantity over two axes, as a table in colours; the error where
@@ -40,9 +43,10 @@ def over_two_axes(study, quantity):
                  math.ceil(len(groups) / columns) * (0.42 * len(y) + 1.3)))
     for axes_, (title, key, members) in zip(grid.flat, groups):
         table_ = np.full((len(y), len(x)), np.nan)
-        for r in members:
-            table_[y.index(r["axes"][axes[1]]),
-                   x.index(r["axes"][axes[0]])] = factor * number_of(r)
+        for place, draws in groups_of(members, axes).items():
+            place = dict(place)
+            table_[y.index(place[axes[1]]), x.index(place[axes[0]])] = (
+                factor * np.mean([number_of(r) for r in draws]))
         shown = axes_.imshow(
             table_, origin="lower", aspect="auto",
             cmap="RdBu_r" if signed else "YlOrRd",
@@ -108,4 +112,51 @@ def side_by_side(study, quantity):
     axes.grid(axis="y", visible=False)
     label = in_figure(study.quantities[quantity]["label"])
     axes.set_xlabel(axis_label(f"Error of {label}" if errors else label, unit))
+    return figure
+
+
+def settings_of(study, quantity):
+    """The runs of each setting, {(series, values): draws}."""
+    return {(series["name"], key): members for series in study.series
+            for key, members in groups_of(
+                [r for r in runs_with(study, quantity)
+                 if r["series"] == series["name"]],
+                leading_axes(study)).items()}
+
+
+def draws_side_by_side(study, quantity):
+    """The draws of each setting below each other, with their means."""
+    settings = settings_of(study, quantity)
+    runs = runs_with(study, quantity)
+    if (not study.random_axes() or study.has_errors(quantity)
+            or not 1 < len(settings) <= MOST_ROWS or free_axes(study, runs)):
+        return None
+    factor, unit = style.prefix_of(
+        max(abs(r["quantities"][quantity]["value"]) for r in runs),
+        study.quantities[quantity]["unit"])
+    rows = list(dict.fromkeys(key for _, key in settings))
+    order = {s["name"]: k for k, s in enumerate(study.series)}
+    height = 0.3 + 0.14 * (len(order) - 1)
+    figure, axes = plt.subplots(layout="constrained", figsize=(
+        7.4, height * len(rows) + 1.1 + 0.26 * (len(order) > 1)))
+    for (series, key), members in settings.items():
+        k = order[series]
+        colour = COLOURS[k % len(COLOURS)]
+        y = rows.index(key) + (k - 0.5 * (len(order) - 1)) * 0.7 / len(order)
+        values = np.array([factor * r["quantities"][quantity]["value"]
+                           for r in members])
+        axes.plot(values, np.full(len(values), y), "o", ms=4.5, alpha=0.55,
+                  color=colour, mew=0)
+        axes.plot(values.mean(), y, "|", ms=11, mew=2, color=colour)
+    names = {key: ", ".join(study.name_of(a, members[0]) for a, _ in key)
+             for (_, key), members in settings.items()}
+    axes.set_yticks(range(len(rows)), [names[key] or "all" for key in rows])
+    axes.set_ylim(len(rows) - 0.5, -0.5)
+    axes.grid(axis="y", visible=False)
+    axes.set_xlabel(axis_label(in_figure(study.label_of(quantity)), unit))
+    if len(order) > 1:
+        style.legend_above(figure, [
+            plt.Line2D([], [], color=COLOURS[k % len(COLOURS)], marker="o",
+                       ls="none") for k in order.values()],
+            [study.title_of(s) for s in order], min(4, len(order)))
     return figure

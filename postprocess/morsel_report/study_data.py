@@ -63,6 +63,17 @@ class Study:
                 self.notes.append(f"study.json: '{name}' cannot be read.")
             self.data[name] = kind()
 
+    def attempt(self, what, make, *arguments):
+        """What make(*arguments) returns; empty, with a note, where it cannot
+        read what it needs."""
+        try:
+            return make(*arguments)
+        except style.BROKEN as error:
+            note = f"{what} cannot be shown ({style.problem_of(error)})."
+            if note not in self.notes:
+                self.notes.append(note)
+            return ""
+
     def text(self, name):
         """A text of study.json; empty where there is none."""
         return str(self.data.get(name) or "")
@@ -154,10 +165,16 @@ def look(k):
             "marker": MARKERS[k % len(MARKERS)]}
 
 
+def capital(label):
+    """A label as a title begins; symbols, h/dp, stay as they are."""
+    return (label[:1].upper() + label[1:] if re.match("[a-z]{3}", label)
+            else label)
+
+
 def axis_label(label, unit):
     """A label with its unit in brackets."""
     unit = style.pretty_unit(unit)
-    return label + (f" [{unit}]" if unit else "")
+    return capital(label) + (f" [{unit}]" if unit else "")
 
 
 def percent_ticks(axes):

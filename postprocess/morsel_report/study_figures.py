@@ -5,7 +5,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from . import kernels, style
-from .study_comparisons import over_two_axes, side_by_side
+from .study_comparisons import (draws_side_by_side, over_two_axes,
+                                settings_of, side_by_side)
 from .study_data import (COLOURS, axis_label, free_axes, groups_of, in_figure,
                          leading_axes, look, percent_ticks, plain_ticks,
                          runs_with)
@@ -66,7 +67,7 @@ def convergence(study, quantity):
         axes.axhspan(bottom, floor, color="#eeeeee", zorder=0)
         axes.set_ylim(bottom=bottom)
     label = study.data["resolution"]["label"]
-    axes.set_xlabel(label[:1].upper() + label[1:])
+    axes.set_xlabel(axis_label(label, "1"))
     axes.set_ylabel("Error of " + in_figure(study.quantities[quantity]["label"]))
     axes.legend(loc="best")
     return figure
@@ -143,6 +144,16 @@ def over_axis(study, quantity):
     return draw_over_axis(study, quantity, candidates[0], others, runs)
 
 
+def draw_means(axes, x, y, label, k):
+    """A line through the points; where draws share an x, through their means,
+    with the draws as dots."""
+    places = np.unique(x)
+    means = np.array([y[x == place].mean() for place in places])
+    axes.plot(places, means, lw=1.0, ms=5, label=label, **look(k))
+    if len(places) < len(x):
+        axes.plot(x, y, ls="none", ms=3, alpha=0.4, mew=0, **look(k))
+
+
 def draw_over_axis(study, quantity, axis, others, runs):
     """Values with the truth above, errors below."""
     unit = study.quantities[quantity]["unit"]
@@ -161,20 +172,21 @@ def draw_over_axis(study, quantity, axis, others, runs):
         for key, members in groups_of(own, others).items():
             k += 1
             members.sort(key=lambda r: r["axes"][axis])
-            x = [r["axes"][axis] for r in members]
+            x = np.array([r["axes"][axis] for r in members])
+            y = np.array([factor * r["quantities"][quantity]["value"]
+                          for r in members])
             parts = [series["title"]] if len(study.series) > 1 else []
             parts += [study.name_of(a, members[0]) for a, _ in key]
             label = ", ".join(parts) or "computed"
-            upper.plot(x, [factor * r["quantities"][quantity]["value"]
-                           for r in members], lw=1.0, ms=5, label=label,
-                       **look(k))
+            draw_means(upper, x, y, label, k)
             measured = [r for r in members
                         if study.error(r, quantity) is not None]
             if errors and measured:
-                grid[1][0].plot(
-                    [r["axes"][axis] for r in measured],
-                    [study.error(r, quantity) for r in measured], lw=1.0,
-                    ms=5, **look(k))
+                draw_means(
+                    grid[1][0],
+                    np.array([r["axes"][axis] for r in measured]),
+                    np.array([study.error(r, quantity) for r in measured]),
+                    "", k)
             for r in members:
                 truth = r["quantities"][quantity]["truth"]
                 if truth is not None:
@@ -202,6 +214,8 @@ def scatter_of_draws(study, quantity):
     if not study.random_axes():
         return None
     errors = study.has_errors(quantity)
+    if not errors and len(settings_of(study, quantity)) > len(study.series):
+        return None  # see draws_side_by_side() and over_axis()
     samples = []
     for series in study.series:
         if errors:
@@ -241,6 +255,7 @@ def scatter_of_draws(study, quantity):
     label = in_figure(study.quantities[quantity]["label"])
     axes.set_xlabel(axis_label(f"Error of {label}" if errors else label, unit))
     axes.set_ylabel("Runs")
+    axes.yaxis.set_major_locator(plt.MaxNLocator(integer=True))
     axes.legend(loc="best")
     return figure
 
@@ -264,4 +279,6 @@ FIGURES = [
      "at the nearest neighbours calls unstable."),
     ("draws", scatter_of_draws,
      "How the draws scatter; dashed is the mean."),
+    ("draws_by_setting", draws_side_by_side,
+     "The draws of each setting; the bars are their means."),
 ]

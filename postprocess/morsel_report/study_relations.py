@@ -75,6 +75,18 @@ def deviations(group, name, factor):
     return found if any(found) else None
 
 
+def bars(group, x, y, factors):
+    """Points along the error bars of a group, which labels have to avoid."""
+    along = np.linspace(-1, 1, 21)[:, None]
+    shifts = [np.array(deviations(group, name, f) or 0.0)
+              for name, f in zip("xy", factors)]
+    x, y = factors[0] * x, factors[1] * y
+    return np.concatenate([
+        np.stack(np.broadcast_arrays(x + along * shifts[0], y), -1),
+        np.stack(np.broadcast_arrays(x, y + along * shifts[1]), -1)],
+        axis=0).reshape(-1, 2)
+
+
 def draw_line(axes, group, x, y, factors, wide, colour):
     """The regression line with its 95 % band; where the line runs.
 
@@ -83,7 +95,7 @@ def draw_line(axes, group, x, y, factors, wide, colour):
     """
     if group.get("slope") is None or np.ptp(x) == 0:
         return np.empty((0, 2))
-    at = (np.geomspace if wide else np.linspace)(x.min(), x.max(), 100)
+    at = (np.geomspace if wide else np.linspace)(x.min(), x.max(), 300)
     line = group["intercept"] + group["slope"] * at
     axes.plot(factors[0] * at, factors[1] * line, color=colour, lw=1.3)
     if group.get("slope_low") is not None:
@@ -119,9 +131,7 @@ def draw_labels(axes, groups, factors, lines, colours):
             texts.append(in_figure(name))
             inks.append(colour if len(groups) > 1 else style.INK)
     if 0 < len(points) <= MOST_LABELLED:
-        others = [(factors[0] * x, factors[1] * y) for x, y, _, _ in order]
-        labels.place(axes, points, texts, inks,
-                     np.concatenate([*lines, np.array(others)]))
+        labels.place(axes, points, texts, inks, np.concatenate(lines))
 
 
 def relation_figure(study, relation):
@@ -147,10 +157,11 @@ def relation_figure(study, relation):
     if wide:
         axes.set_xscale("log")
     for (group, x, y), colour in zip(groups, colours):
-        lines.append(draw_line(axes, group, x, y, (fx, fy), wide, colour))
+        lines += [draw_line(axes, group, x, y, (fx, fy), wide, colour),
+                  bars(group, x, y, (fx, fy))]
     # Bands of few points may be far wider than what was found.
     axes.set_ylim(low - 0.12 * (high - low), high + 0.12 * (high - low))
-    axes.margins(x=0.08)
+    axes.margins(x=0.12)
     if wide:
         plain_ticks(axes.xaxis, fx * np.concatenate([x for _, x, _ in groups]))
     axes.set_xlabel(axis_label(in_figure(study.label_of(relation["x"])),
@@ -174,6 +185,8 @@ def relation_caption(study, relation):
     if any(deviations(g, name, 1.0) for g, _, _ in groups for name in "xy"):
         text = ("Means over the draws, with their standard deviations. "
                 + text)
+    if expected(relation):
+        text += f" Published: {expected(relation)}."
     if groups and is_wide(groups):
         text += (" They are straight; over the logarithmic axis they look "
                  "bent.")

@@ -8,7 +8,7 @@ import numpy as np
 
 from . import page, style
 from .reader import NoRun, Run, read_table
-from .study_data import COLOURS, axis_label, name_among
+from .study_data import COLOURS, axis_label, capital, name_among
 
 # More curves than these are told apart by shades of one colour map.
 MOST_COLOURS = len(COLOURS)
@@ -36,47 +36,93 @@ def runs_of(study, entry):
     return done
 
 
-def columns_of(table, units, heads):
-    """The columns of these heads, None for those that are missing."""
-    return [table.get(name) if unit is None or units.get(name) == unit
-            else None for name, unit in heads]
+def note_missing(study, entry, without, runs):
+    """Notes which runs left no such columns: without is {what: runs}."""
+    together = {}
+    for what, those in without.items():
+        together.setdefault(tuple(map(id, those)), (those, []))[1].append(what)
+    for those, what in together.values():
+        names = [name_among(study, r, runs) for r in those[:3]]
+        study.notes.append(
+            f"Figure '{entry['name']}': {len(those)} of {len(runs)} runs left "
+            f"no {', '.join(what)} (" + "; ".join(names)
+            + ("; …" if len(those) > 3 else "") + ").")
 
 
 def read_curves(study, entry, runs):
     """[(run, x, [y of each head])] of the runs that have the columns."""
-    x_head, y_heads = heads_of(entry["x"])[:1], heads_of(entry["y"])
-    if not x_head or not y_heads:
+    heads = heads_of(entry["x"])[:1] + heads_of(entry["y"])
+    if len(heads) < 2:
         raise ValueError("x and y must name columns of history.csv")
     curves, without = [], {}
     for run in runs:
-        table, units = read_table(study.folder / run["folder"] / "history.csv")
-        columns = columns_of(table, units, x_head + y_heads)
-        for (name, unit), column in zip(x_head + y_heads, columns):
+        history, units = read_table(
+            study.folder / run["folder"] / "history.csv")
+        columns = [history.get(name) if unit in (None, units.get(name))
+                   else None for name, unit in heads]
+        for (name, unit), column in zip(heads, columns):
             if column is None:
-                what = f"the column '{name}{f' [{unit}]' if unit else ''}'"
-                what = what if table else "history.csv"
-                without.setdefault(what, []).append(run)
+                what = (f"column '{name}{f' [{unit}]' if unit else ''}'"
+                        if history else "history.csv")
+                members = without.setdefault(what, [])
+                members += [run] if run not in members else []
         if columns[0] is not None and any(c is not None for c in columns[1:]):
             curves.append((run, columns[0], columns[1:]))
-    for what, those in without.items():
-        study.notes.append(
-            f"Figure '{entry['name']}': {len(those)} of {len(runs)} runs left "
-            f"no {what.removeprefix('the ')} ("
-            + "; ".join(name_among(study, r, runs) for r in those[:3])
-            + ("; …" if len(those) > 3 else "") + ").")
-    return curves, x_head[0], y_heads
+    note_missing(study, entry, without, runs)
+    return curves, heads[0], heads[1:]
 
 
-def scale_of(name, unit, arrays):
-    """(factor, label) for the values of a column."""
-    label = name.replace("_", " ")
-    label = label[:1].upper() + label[1:]
+def name_of(names):
+    """What columns have in common: the words that all of them hold."""
+    words = [n.split("_") for n in names]
+    return " ".join(w for w in words[0] if all(w in o for o in words[1:]))
+
+
+def scale_of(names, unit, arrays):
+    """(factor, label) for the values of columns."""
+    label = capital(name_of(names) or "Value")
     values = np.abs(np.concatenate(arrays))
     top = float(np.max(values[np.isfinite(values)], initial=0.0))
-    if style.is_share("_" + name, unit or "1"):
+    if all(style.is_share("_" + n, unit or "1") for n in names):
         return 100.0, axis_label(label, "%")
     factor, prefixed = style.prefix_of(top, unit or "1")
     return factor, axis_label(label, prefixed)
+
+
+class Looks:
+    """Colours by setting; dashes by column or, with one on axes, by series."""
+
+    def __init__(self, study, runs, columns):
+        self.columns = columns
+        series = list(dict.fromkeys(r["series"] for r in runs))
+        names = {id(r): name_among(study, r, runs, draws=False) for r in runs}
+        settings = {id(r): name_among(
+            study, r, [o for o in runs if o["series"] == r["series"]],
+            draws=False) for r in runs}
+        titles = {s: study.title_of(s) for s in series}
+        # A setting that only bears its series' title is no setting.
+        crossed = (columns == 1 and 1 < len(series) <= len(DASHES)
+                   and len(set(settings.values())) < len(set(names.values()))
+                   and not set(settings.values()) & set(titles.values()))
+        self.names = settings if crossed else names
+        self.dashes = (dict(zip(series, DASHES)) if crossed
+                       else dict.fromkeys(series, "-"))
+        self.series = titles if crossed else {}
+        self.colours = colours_of(list(dict.fromkeys(self.names.values())))
+
+    def of(self, run, column):
+        """How a run's column is drawn."""
+        return {"color": self.colours[self.names[id(run)]],
+                "ls": DASHES[column % len(DASHES)] if self.columns > 1
+                else self.dashes[run["series"]]}
+
+    def handles(self):
+        """The legend: settings, then series."""
+        return ([plt.Line2D([], [], color=c, lw=1.6, label=n)
+                 for n, c in self.colours.items()]
+                + [plt.Line2D([], [], color=style.INK, lw=1.4,
+                              ls=self.dashes[s], label=t)
+                   for s, t in self.series.items()])
 
 
 def colours_of(names):
@@ -93,47 +139,40 @@ def history_figure(study, entry):
     curves, x_head, y_heads = read_curves(study, entry, runs)
     if not curves:
         return None
-    shown = [c[0] for c in curves]
-    names = {id(r): name_among(study, r, shown, draws=False) for r in shown}
-    colours = colours_of(list(dict.fromkeys(names.values())))
     units = list(dict.fromkeys(unit for _, unit in y_heads))
+    together = {unit: [i for i, head in enumerate(y_heads) if head[1] == unit]
+                for unit in units}
+    looks = Looks(study, [c[0] for c in curves],
+                  max(map(len, together.values())))
+    handles = looks.handles()
+    texts = [h.get_label() for h in handles]
+    columns = max(1, min(5, len(texts), 105 // (max(map(len, texts)) + 7)))
     figure, grid = plt.subplots(
         len(units), 1, squeeze=False, sharex=True, layout="constrained",
-        figsize=(7.4, 1.3 + 3.3 * len(units)))
-    fx, label = scale_of(*x_head, [x for _, x, _ in curves])
+        figsize=(7.4, 1.1 + 3.2 * len(units) + 0.26 * len(texts) / columns))
+    fx, label = scale_of([x_head[0]], x_head[1], [x for _, x, _ in curves])
     grid[-1][0].set_xlabel(label)
     for axes, unit in zip(grid[:, 0], units):
-        members = [i for i, head in enumerate(y_heads) if head[1] == unit]
-        draw_curves(axes, curves, members, y_heads, fx, names, colours)
-    handles, texts = grid[0][0].get_legend_handles_labels()
-    handles = [plt.Line2D([], [], color=colours[t], lw=1.6) for t in texts]
+        draw_curves(axes, curves, together[unit], y_heads, fx, looks)
     if len(texts) > 1:
-        longest = max(map(len, texts))
-        style.legend_above(figure, handles, texts,
-                           max(1, min(5, len(texts), int(105 / (longest + 7)))))
+        style.legend_above(figure, handles, texts, columns)
     return figure
 
 
-def draw_curves(axes, curves, members, heads, fx, names, colours):
+def draw_curves(axes, curves, members, heads, fx, looks):
     """The columns that share a unit."""
     arrays = [ys[i] for _, _, ys in curves for i in members
               if ys[i] is not None]
     if not arrays:
         return
-    name = heads[members[0]][0] if len(members) == 1 else ""
-    fy, label = scale_of(name, heads[members[0]][1], arrays)
-    axes.set_ylabel(label.strip())
-    labelled = set()
-    many = len(curves) > len(colours)
+    fy, label = scale_of([heads[i][0] for i in members], heads[members[0]][1],
+                         arrays)
+    axes.set_ylabel(label)
+    width = 0.9 if len(curves) > len(set(looks.names.values())) else 1.4
     for run, x, ys in curves:
-        text = names[id(run)]
         for j, i in enumerate(members):
             if ys[i] is not None:
-                axes.plot(fx * x, fy * ys[i], color=colours[text],
-                          ls=DASHES[j % len(DASHES)],
-                          lw=0.9 if many else 1.4, alpha=0.75 if many else 1,
-                          label="" if text in labelled else text)
-                labelled.add(text)
+                axes.plot(fx * x, fy * ys[i], lw=width, **looks.of(run, j))
     axes.margins(x=0.02)
     if len(members) > 1:
         axes.legend(handles=[
@@ -160,7 +199,7 @@ def run_pictures(study, entry):
 
 def grid_of(pictures):
     """Pictures side by side, each with its label; HTML."""
-    figures = [page.embedded(png, html.escape(label[:1].upper() + label[1:]),
+    figures = [page.embedded(png, html.escape(capital(label)),
                              label) for label, png, _ in pictures]
     if len(figures) < 2 or (any(wide for _, _, wide in pictures)
                             and len(figures) < 4):

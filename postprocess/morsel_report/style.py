@@ -146,6 +146,11 @@ def measured(value, deviation=None):
     return f"{value:.{places}f} ± {deviation:.{places}f}".replace("-", "−")
 
 
+def shift(value):
+    """A difference with its sign."""
+    return f"{value:+.2f}".replace("-", "−")
+
+
 def difference(share):
     """A relative difference with its sign; a factor where it is large."""
     if share >= 9:

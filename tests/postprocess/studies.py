@@ -1,8 +1,44 @@
 """Invented studies and collections, as the program writes them."""
+import contextlib
+import io
 import json
+import pathlib
+import sys
+import tempfile
+import unittest
 
 import numpy as np
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent.parent / "postprocess"))
+
+import report
 import synthetic
+
+
+class PageTest(unittest.TestCase):
+    """Each test has a folder of its own."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def page(self):
+        """Makes the report of the folder; its text."""
+        with contextlib.redirect_stdout(io.StringIO()):
+            self.assertEqual(report.main([str(self.folder)]), 0)
+        return (self.folder / "report.html").read_text(encoding="utf-8")
+
+    def figures(self, folder="."):
+        """The names of the figures that were saved."""
+        return {f.stem for f in
+                (self.folder / folder / "figures").glob("*.png")}
+
+    def page_of(self, document):
+        """Makes the report of a study; its text and its figures."""
+        write_study(self.folder, document)
+        return self.page(), self.figures()
 
 
 def a_run(series, n, error, status="finished"):
@@ -63,6 +99,12 @@ def a_study(**more):
         "statistics": []}
     document.update(more)
     return document
+
+
+def without_figures(**more):
+    """A study whose quantity is recorded, but not drawn by itself."""
+    return a_study(quantities={"K": a_quantity(
+        "K_I", "Pa sqrt(m)", "formula", drawn=False)}, **more)
 
 
 def a_claim(**more):
