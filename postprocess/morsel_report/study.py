@@ -105,10 +105,10 @@ def failures(study):
     failed = [r for r in study.runs if r["status"] == "failed"]
     notes = []
     for r in failed[:20]:
-        where = ", ".join(f"{a} = {v if isinstance(v, str) else f'{v:g}'}"
-                          for a, v in r["axes"].items())
-        notes.append(f"Failed: {study.title_of(r['series'])}, {where}: "
-                     f"{r['message']}")
+        which = ", ".join([study.title_of(r["series"])] + [
+            f"{a} = {v if isinstance(v, str) else f'{v:g}'}"
+            for a, v in r["axes"].items()])
+        notes.append(f"Failed: {which}: {r['message']}")
     if len(failed) > 20:
         notes.append(f"{len(failed) - 20} further runs failed; see study.csv.")
     waiting = sum(r["status"] == "not run" for r in study.runs)

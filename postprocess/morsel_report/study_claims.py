@@ -56,6 +56,8 @@ def measured_by(study, claim):
         return ""
     if claim.get("series") and len(study.series) > 1:
         text += ", " + html.escape(study.title_of(claim["series"]))
+    if claim.get("at"):
+        text += ", " + html.escape(claim["at"])
     if (claim.get("count") or 0) > 1 and not claim.get("relation"):
         text += f", mean of {claim['count']} draws"
     return text
@@ -69,7 +71,9 @@ def claim_row(study, claim):
                  + (f"<small>Here: {by}</small>" if by else ""))
     words = [f"<b>{html.escape(claim['finding'])}</b>"
              if claim.get("finding") else "",
-             html.escape(claim.get("why") or "")]
+             html.escape(claim.get("why") or ""),
+             "<small>No number of ours: " + html.escape(claim["note"])
+             + ".</small>" if claim.get("note") else ""]
     return [statement, *map(html.escape, numbers_of(study, claim)),
             "<br>".join(w for w in words if w)]
 

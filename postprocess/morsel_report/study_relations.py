@@ -107,23 +107,12 @@ def draw_line(axes, group, x, y, factors, wide, colour):
     return np.stack([factors[0] * at, factors[1] * line], axis=1)
 
 
-def short(texts):
-    """Labels without the words that all of them begin with."""
-    words = [t.split(" ") for t in texts]
-    while len(texts) > 1 and all(len(w) > 1 for w in words) and (
-            len({w[0] for w in words}) == 1):
-        words = [w[1:] for w in words]
-    return [" ".join(w) for w in words]
-
-
 def draw_labels(axes, groups, factors, lines, colours):
     """Names the points; what several series share at one x is named once."""
     points, texts, inks, named = [], [], [], set()
-    names = iter(short([str(p.get("label") or "") for g, _, _ in groups
-                        for p in g["points"]]))
-    order = [(x, y, next(names), colour)
-             for (_, xs, ys), colour in zip(groups, colours)
-             for x, y in zip(xs, ys)]
+    order = [(p["x"], p["y"], str(p.get("label") or ""), colour)
+             for (group, _, _), colour in zip(groups, colours)
+             for p in group["points"]]
     for x, y, name, colour in sorted(order, key=lambda o: -o[1]):
         if name and (name, f"{x:.3g}") not in named:
             named.add((name, f"{x:.3g}"))

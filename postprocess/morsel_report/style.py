@@ -1,6 +1,7 @@
 """Numbers and colours as the whole report shows them."""
 import io
 import math
+import re
 
 import matplotlib
 
@@ -72,9 +73,10 @@ def prefix_of(largest, unit):
 
 def pretty_unit(unit):
     """A unit for people: m^2 as m², 1/sqrt(mm) with its root sign."""
-    for plain, nice in (("^2", "²"), ("^3", "³"), ("^4", "⁴"),
-                        ("sqrt(mm)", "√mm"), ("sqrt(m)", "√m")):
-        unit = unit.replace(plain, nice)
+    for power, sign in (("^2", "²"), ("^3", "³"), ("^4", "⁴")):
+        unit = unit.replace(power, sign)
+    unit = re.sub(r"sqrt\((\w+)\)", r"√\1", unit)
+    unit = re.sub(r"\bu(?=[mNPJsg])", "µ", unit)
     return "" if unit == "1" else unit
 
 

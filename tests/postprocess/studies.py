@@ -113,7 +113,8 @@ def a_claim(**more):
              "says": "The factor converges to 1.023 of the formula.",
              "stated": 1.023, "ours": 0.9712, "ours_deviation": None,
              "count": 1, "difference": 0.9712 / 1.023 - 1, "unit": "1",
-             "quantity": "K", "relation": "", "series": "p2", "finding": "",
+             "quantity": "K", "relation": "", "series": "p2", "at": "", "finding": "",
+             "note": "",
              "why": "The plate between clamps is stiffer than the strip that "
                     "the formula is of."}
     claim.update(more)
@@ -168,7 +169,7 @@ def a_group(runs, series):
         points.append({
             "x": x.mean(), "y": y.mean(), "count": len(own),
             "x_deviation": 0.0, "y_deviation": y.std(ddof=1)
-            if len(own) > 1 else 0.0, "label": f"food {food}"})
+            if len(own) > 1 else 0.0, "label": food})
     x, y = (np.array([p[name] for p in points]) for name in "xy")
     slope, intercept = np.polyfit(x, y, 1)
     rest = y - intercept - slope * x
@@ -198,7 +199,7 @@ def a_figure(**more):
     """A figure of study.json: curves of the runs' histories."""
     return {"name": "curves", "kind": "history",
             "title": "Axial stress over strain", "caption": "As pressed.",
-            "x": "nominal_strain [1]", "y": "nominal_stress [Pa]",
+            "x": "nominal_strain [1]", "y": ["nominal_stress [Pa]"],
             "picture": "", "runs": [0, 1], **more}
 
 
