@@ -58,8 +58,10 @@ class Part:
         return text + (f", {failed} failed" if failed else "")
 
     def time(self):
-        """The wall time, empty where it is not known."""
-        value = self.number("wall_time")
+        """The time of its runs, or its wall time; empty where neither is
+        known. The wall time is short where finished runs were not repeated.
+        """
+        value = self.number("run_time") or self.number("wall_time")
         return style.duration(value) if value else ""
 
     def body(self):
@@ -81,7 +83,7 @@ def table_of_contents(parts):
     rows = [[f'<a href="#{p.link}">{html.escape(p.title)}</a>',
              html.escape(p.status), p.runs(), html.escape(p.time())]
             for p in parts]
-    return table(["Part", "Status", "Runs", "Time"], rows, (0, 1))
+    return table(["Part", "Status", "Runs", "Time of its runs"], rows, (0, 1))
 
 
 def lead(parts, document):
@@ -89,12 +91,11 @@ def lead(parts, document):
     finished = sum(p.status == "finished" for p in parts)
     text = f"{finished} of {len(parts)} studies finished"
     runs = sum(p.number("runs") or 0 for p in parts)
-    if runs:
-        text += f", {runs} runs in all"
+    text += f", {runs} runs in all." if runs else "."
     time = document.get("wall_time")
     if isinstance(time, (int, float)) and time > 0:
-        text += f", in {style.duration(time)}"
-    return text + "."
+        text += f" The last command took {style.duration(time)}."
+    return text
 
 
 def write(folder):

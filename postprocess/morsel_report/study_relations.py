@@ -87,24 +87,41 @@ def bars(group, x, y, factors):
         axis=0).reshape(-1, 2)
 
 
-def draw_line(axes, group, x, y, factors, wide, colour):
-    """The regression line with its 95 % band; where the line runs.
+def half_band(group, x, at):
+    """Half the width of the 95 % band of the mean; None without interval.
 
-    The band is that of the mean, half the slope's interval times
-    sqrt(Sxx / n + (x - mean)^2): both hold the same quantile of Student's t.
+    It is half the slope's interval times sqrt(Sxx / n + (x - mean)^2): both
+    hold the same quantile of Student's t.
     """
+    if group.get("slope_low") is None:
+        return None
+    return 0.5 * (group["slope_high"] - group["slope_low"]) * np.sqrt(
+        np.var(x) + (at - x.mean()) ** 2)
+
+
+def beyond(groups, group, x):
+    """Whether a group's band is wider than all that was found."""
+    half = half_band(group, x, x)
+    span = np.ptp(np.concatenate([y for _, _, y in groups]))
+    deviation = max((p.get("y_deviation") or 0.0 for g, _, _ in groups
+                     for p in g["points"]), default=0.0)
+    return half is not None and half.min() > span + deviation
+
+
+def draw_line(axes, group, x, factors, wide, look_of):
+    """The regression line, with its band; where the line runs."""
     if group.get("slope") is None or np.ptp(x) == 0:
         return np.empty((0, 2))
     at = (np.geomspace if wide else np.linspace)(x.min(), x.max(), 300)
-    line = group["intercept"] + group["slope"] * at
-    axes.plot(factors[0] * at, factors[1] * line, color=colour, lw=1.3)
-    if group.get("slope_low") is not None:
-        half = 0.5 * (group["slope_high"] - group["slope_low"]) * np.sqrt(
-            np.var(x) + (at - x.mean()) ** 2)
-        axes.fill_between(factors[0] * at, factors[1] * (line - half),
-                          factors[1] * (line + half), color=colour,
-                          alpha=0.13, lw=0)
-    return np.stack([factors[0] * at, factors[1] * line], axis=1)
+    line = factors[1] * (group["intercept"] + group["slope"] * at)
+    colour, with_band = look_of
+    axes.plot(factors[0] * at, line, color=colour, lw=1.3)
+    half = half_band(group, x, at)
+    if half is not None and with_band:
+        axes.fill_between(factors[0] * at, line - factors[1] * half,
+                          line + factors[1] * half, color=colour, alpha=0.13,
+                          lw=0)
+    return np.stack([factors[0] * at, line], axis=1)
 
 
 def draw_labels(axes, groups, factors, lines, colours):
@@ -146,7 +163,8 @@ def relation_figure(study, relation):
     if wide:
         axes.set_xscale("log")
     for (group, x, y), colour in zip(groups, colours):
-        lines += [draw_line(axes, group, x, y, (fx, fy), wide, colour),
+        lines += [draw_line(axes, group, x, (fx, fy), wide,
+                            (colour, not beyond(groups, group, x))),
                   bars(group, x, y, (fx, fy))]
     # Bands of few points may be far wider than what was found.
     axes.set_ylim(low - 0.12 * (high - low), high + 0.12 * (high - low))
@@ -174,6 +192,9 @@ def relation_caption(study, relation):
     if any(deviations(g, name, 1.0) for g, _, _ in groups for name in "xy"):
         text = ("Means over the draws, with their standard deviations. "
                 + text)
+    if any(beyond(groups, group, x) for group, x, _ in groups):
+        text += (" A band that would be wider than the figure is left out: "
+                 "so few points do not tell the line.")
     if expected(relation):
         text += f" Published: {expected(relation)}."
     if groups and is_wide(groups):

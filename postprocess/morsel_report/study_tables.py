@@ -76,6 +76,7 @@ def statistics_table(study):
     if not study.data["statistics"]:
         return ""
     rows = []
+    known = any(s.get("absolute_error") for s in study.data["statistics"])
     for s in study.data["statistics"]:
         unit = study.quantities[s["quantity"]]["unit"]
         where = ", ".join(f"{a} = {v}" for a, v in s["at"].items())
@@ -85,14 +86,16 @@ def statistics_table(study):
             html.escape(study.title_of(s["series"])
                         + (", " + where if where else "")),
             s["value"]["count"], style.quantity(s["value"]["mean"], unit, 6),
-            style.quantity(s["value"]["standard_deviation"], unit, 3),
-            style.percent(s["error"]["mean"]) if errors else "",
-            style.percent(errors["median"]) if errors else "",
-            style.percent(errors["largest"]) if errors else ""])
-    text = table(["Result", "Series", "Runs", "Mean", "Deviation",
-                  "Mean error", "Median |error|", "Largest |error|"], rows,
-                 (0, 1))
-    return folded(text, f"All {len(rows)} means") if len(rows) > 20 else text
+            style.quantity(s["value"]["standard_deviation"], unit, 3)])
+        if errors:
+            rows[-1] += [style.percent(share) for share in (
+                s["error"]["mean"], errors["median"], errors["largest"])]
+        elif known:
+            rows[-1] += 3 * [""]
+    text = table(["Result", "Series", "Runs", "Mean", "Deviation"]
+                 + (["Mean error", "Median |error|", "Largest |error|"]
+                    if known else []), rows, (0, 1))
+    return folded(text, f"All {len(rows)} means") if len(rows) > 12 else text
 
 
 def run_table(study, longest=40):
@@ -124,5 +127,5 @@ def run_table(study, longest=40):
             row += [html.escape(r["status"]), "", ""]
         rows.append(row)
     text = f'<div class="scroll">{table(head, rows, (0, 1))}</div>'
-    return (folded(text, f"All {len(rows)} runs") if len(rows) > longest
+    return (folded(text, f"{len(rows)} run{'s' * (len(rows) != 1)}") if len(rows) > longest
             else text)

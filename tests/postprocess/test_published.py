@@ -172,11 +172,11 @@ class CollectionTest(PageTest):
             a_part("c", "not run", runs=0, wall_time=0)], quick=True)
         page = self.page()
         for text in ("The thesis, reproduced", "<p>And every table.</p>",
-                     "1 of 3 studies finished, 14 runs in all, in "
-                     "12\u202fmin 34\u202fs", "7 runs, 2 failed",
+                     "1 of 3 studies finished, 14 runs in all. The last "
+                     "command took 12\u202fmin 34\u202fs.", "7 runs, 2 failed",
                      "This study failed: status 3: no run",
                      "has not been run yet", '<a href="#part2">',
-                     '<h2 id="part2">', "All 7 runs</summary>"):
+                     '<h2 id="part2">', "7 runs</summary>"):
             self.assertIn(text, page)
         self.assertEqual(page.count("quick setting"), 1)
         self.assertEqual(rows(page, "Published numbers, and ours</h2>"), [
