@@ -6,8 +6,8 @@ Usage: report.py OUTPUT_DIR
 
 Needs numpy, h5py and matplotlib. The page stands alone: no network, no script.
 What a run did not leave is named in the page and left out. Exit status: 0 when
-the report was written, 2 for a folder that is none of these, 4 when it could not
-be written.
+the report was written, 2 for a folder that is none of these, 4 when it could
+not be written.
 """
 import argparse
 import pathlib
@@ -19,10 +19,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 def main(arguments=None):
     """Parses the command line, writes the report, returns the exit status."""
     parser = argparse.ArgumentParser(
-        description="Makes OUTPUT_DIR/report.html from what a run left."
+        description="Makes OUTPUT_DIR/report.html from what a run, a study or "
+        "a collection left."
     )
     parser.add_argument(
-        "output_dir", type=pathlib.Path, help="the run's output folder"
+        "output_dir", type=pathlib.Path, help="its output folder"
     )
     folder = parser.parse_args(arguments).output_dir
 

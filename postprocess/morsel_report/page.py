@@ -33,7 +33,8 @@ figcaption,.above{font-size:14px;color:var(--quiet);max-width:62em;
 .pair{display:grid;grid-template-columns:1fr 1fr;gap:6px 28px}
 .note{background:#fdf6e3;border-left:4px solid #E69F00;padding:9px 14px;
  font-size:15px;margin:12px 0;max-width:none}
-table{border-collapse:collapse;width:100%;margin-bottom:12px;font-size:14.5px;line-height:1.4}
+table{border-collapse:collapse;width:100%;margin-bottom:12px;font-size:14.5px;
+ line-height:1.4}
 th{text-align:left;font-weight:600;border-bottom:2px solid #bbb;
  padding:6px 14px 6px 0;vertical-align:bottom}
 td{border-bottom:1px solid #ececec;padding:6px 14px 6px 0;

@@ -115,25 +115,35 @@ def side_by_side(study, quantity):
     return figure
 
 
-def settings_of(study, quantity):
+def settings_of(study, runs):
     """The runs of each setting, {(series, values): draws}."""
     return {(series["name"], key): members for series in study.series
             for key, members in groups_of(
-                [r for r in runs_with(study, quantity)
-                 if r["series"] == series["name"]],
+                [r for r in runs if r["series"] == series["name"]],
                 leading_axes(study)).items()}
+
+
+def has_settings(study, quantity):
+    """Whether there are draws of several settings that fit below each other,
+    and no axis of numbers to show them over."""
+    runs = runs_with(study, quantity)
+    settings = {key for _, key in settings_of(study, runs)}
+    return bool(study.random_axes()) and 1 < len(settings) <= MOST_ROWS and (
+        not free_axes(study, runs))
 
 
 def draws_side_by_side(study, quantity):
     """The draws of each setting below each other, with their means."""
-    settings = settings_of(study, quantity)
-    runs = runs_with(study, quantity)
-    if (not study.random_axes() or study.has_errors(quantity)
-            or not 1 < len(settings) <= MOST_ROWS or free_axes(study, runs)):
+    if not has_settings(study, quantity):
         return None
-    factor, unit = style.prefix_of(
+    runs = runs_with(study, quantity)
+    errors = study.has_errors(quantity)
+    kind = "error" if errors else "value"
+    runs = [r for r in runs if r["quantities"][quantity][kind] is not None]
+    settings = settings_of(study, runs)
+    factor, unit = (100.0, "%") if errors else style.prefix_of(
         max(abs(r["quantities"][quantity]["value"]) for r in runs),
-        study.quantities[quantity]["unit"])
+        study.unit_of(quantity))
     rows = list(dict.fromkeys(key for _, key in settings))
     order = {s["name"]: k for k, s in enumerate(study.series)}
     height = 0.3 + 0.14 * (len(order) - 1)
@@ -143,7 +153,7 @@ def draws_side_by_side(study, quantity):
         k = order[series]
         colour = COLOURS[k % len(COLOURS)]
         y = rows.index(key) + (k - 0.5 * (len(order) - 1)) * 0.7 / len(order)
-        values = np.array([factor * r["quantities"][quantity]["value"]
+        values = np.array([factor * r["quantities"][quantity][kind]
                            for r in members])
         axes.plot(values, np.full(len(values), y), "o", ms=4.5, alpha=0.55,
                   color=colour, mew=0)
@@ -153,7 +163,10 @@ def draws_side_by_side(study, quantity):
     axes.set_yticks(range(len(rows)), [names[key] or "all" for key in rows])
     axes.set_ylim(len(rows) - 0.5, -0.5)
     axes.grid(axis="y", visible=False)
-    axes.set_xlabel(axis_label(in_figure(study.label_of(quantity)), unit))
+    if errors:
+        axes.axvline(0, color=style.INK, lw=0.8, zorder=1)
+    label = in_figure(study.label_of(quantity))
+    axes.set_xlabel(axis_label(f"Error of {label}" if errors else label, unit))
     if len(order) > 1:
         style.legend_above(figure, [
             plt.Line2D([], [], color=COLOURS[k % len(COLOURS)], marker="o",

@@ -18,7 +18,7 @@ MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 NEEDED = {"runs": list, "series": list, "quantities": dict, "axes": dict}
 OPTIONAL = {"rates": list, "pareto_fronts": list, "time_to_reach": list,
             "statistics": list, "relations": list, "claims": list,
-            "figures": list, "resolution": dict}
+            "figures": list}
 
 
 def read_document(file):
@@ -32,6 +32,13 @@ def read_document(file):
     return document
 
 
+def is_readable(member, kind):
+    """Whether a member is a list, or an object, of objects."""
+    return isinstance(member, kind) and all(
+        isinstance(entry, dict)
+        for entry in (member.values() if kind is dict else member))
+
+
 class Study:
     """study.json of one folder."""
 
@@ -40,13 +47,14 @@ class Study:
         self.notes = []
         self.data = read_document(self.folder / "study.json")
         for name, kind in NEEDED.items():
-            if not isinstance(self.data.get(name), kind):
+            if not is_readable(self.data.get(name), kind):
                 raise NoRun(f"'{self.folder}/study.json' is no study's: its "
                             f"'{name}' cannot be read.")
         for name, kind in OPTIONAL.items():
             self._check(name, kind)
         self.data.setdefault("timing", False)
-        self.data["resolution"].setdefault("label", "resolution")
+        if not isinstance(self.data.get("resolution"), dict):
+            self.data["resolution"] = {"formula": "", "label": "resolution"}
         self.title = self.text("title") or self.text("name") or "A study"
         self.runs = self.data["runs"]
         self.series = self.data["series"]
@@ -56,9 +64,7 @@ class Study:
     def _check(self, name, kind):
         """Makes sure that a member is there; what is unreadable is noted."""
         member = self.data.get(name)
-        readable = isinstance(member, kind) and (kind is dict or all(
-            isinstance(entry, dict) for entry in member))
-        if not readable:
+        if not is_readable(member, kind):
             if member is not None:
                 self.notes.append(f"study.json: '{name}' cannot be read.")
             self.data[name] = kind()
@@ -85,7 +91,7 @@ class Study:
 
     def label_of(self, quantity):
         """The label of a quantity."""
-        return self.quantities.get(quantity, {}).get("label") or str(quantity)
+        return str(self.quantities.get(quantity, {}).get("label") or quantity)
 
     def unit_of(self, quantity):
         """The unit of a quantity."""

@@ -6,7 +6,7 @@ import numpy as np
 
 from . import kernels, style
 from .study_comparisons import (draws_side_by_side, over_two_axes,
-                                settings_of, side_by_side)
+                                has_settings, side_by_side)
 from .study_data import (COLOURS, axis_label, free_axes, groups_of, in_figure,
                          leading_axes, look, percent_ticks, plain_ticks,
                          runs_with)
@@ -68,7 +68,7 @@ def convergence(study, quantity):
         axes.set_ylim(bottom=bottom)
     label = study.data["resolution"]["label"]
     axes.set_xlabel(axis_label(label, "1"))
-    axes.set_ylabel("Error of " + in_figure(study.quantities[quantity]["label"]))
+    axes.set_ylabel("Error of " + in_figure(study.label_of(quantity)))
     axes.legend(loc="best")
     return figure
 
@@ -116,7 +116,7 @@ def work_precision(study, quantity):
         plain_ticks(axes.xaxis, [factor * r[cost] for r in known])
         axes.set_xlabel(axis_label(label, prefixed))
     percent_ticks(grid[0][0])
-    grid[0][0].set_ylabel("Error of " + in_figure(study.quantities[quantity]["label"]))
+    grid[0][0].set_ylabel("Error of " + in_figure(study.label_of(quantity)))
     handles, labels = grid[0][0].get_legend_handles_labels()
     columns = min(5, len(labels))
     style.legend_above(figure, handles, labels, columns)
@@ -211,10 +211,9 @@ def draw_over_axis(study, quantity, axis, others, runs):
 
 def scatter_of_draws(study, quantity):
     """How the errors, or values, of draws are distributed."""
-    if not study.random_axes():
-        return None
     errors = study.has_errors(quantity)
-    if not errors and len(settings_of(study, quantity)) > len(study.series):
+    if not study.random_axes() or has_settings(study, quantity) or (
+            not errors and free_axes(study, runs_with(study, quantity))):
         return None  # see draws_side_by_side() and over_axis()
     samples = []
     for series in study.series:

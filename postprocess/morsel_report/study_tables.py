@@ -127,5 +127,6 @@ def run_table(study, longest=40):
             row += [html.escape(r["status"]), "", ""]
         rows.append(row)
     text = f'<div class="scroll">{table(head, rows, (0, 1))}</div>'
-    return (folded(text, f"{len(rows)} run{'s' * (len(rows) != 1)}") if len(rows) > longest
-            else text)
+    if len(rows) <= longest:
+        return text
+    return folded(text, f"{len(rows)} run{'s' * (len(rows) != 1)}")

@@ -113,8 +113,8 @@ def a_claim(**more):
              "says": "The factor converges to 1.023 of the formula.",
              "stated": 1.023, "ours": 0.9712, "ours_deviation": None,
              "count": 1, "difference": 0.9712 / 1.023 - 1, "unit": "1",
-             "quantity": "K", "relation": "", "series": "p2", "at": "", "finding": "",
-             "note": "",
+             "quantity": "K", "relation": "", "series": "p2", "at": "",
+             "finding": "", "note": "",
              "why": "The plate between clamps is stiffer than the strip that "
                     "the formula is of."}
     claim.update(more)
