@@ -5,7 +5,7 @@ import pathlib
 from . import page, style, study_claims
 from .reader import NoRun
 from .study import contents
-from .study_data import Study, read_document
+from .study_data import Study, in_page, read_document
 from .study_tables import table
 
 QUICK = ("The quick setting: every study in fewer or coarser runs, for a "
@@ -22,20 +22,19 @@ class Part:
         self.study = None
         self.status = self.text("status") or "not run"
         if self.text("message"):
-            sentence = self.text("message")
-            self.notes.append(f"This study {self.status}: {sentence}"
-                              if self.status != "finished" else sentence)
-        elif self.status == "not run":
-            self.notes.append("This study has not been run yet: the same "
-                              "command goes on with it.")
+            self.notes.append(f"{self.status.capitalize()}: "
+                              + self.text("message"))
         elif self.status == "failed":
-            self.notes.append("This study failed; see its run.log.")
+            self.notes.append("Failed; see its run.log.")
         where = folder / self.text("folder")
         try:
             if self.text("folder") and (where / "study.json").is_file():
                 self.study = Study(where)
             elif self.status == "finished":
                 self.notes.append("Its study.json is missing.")
+            elif self.status != "failed":
+                self.notes.append("This study has not been run yet: the same "
+                                  "command goes on with it.")
         except (NoRun, OSError) as error:
             self.notes.append(str(error))
         self.title = (self.text("title")
@@ -68,7 +67,7 @@ class Part:
         """The part's section of the page."""
         source = " · ".join(t for t in (self.text("file"), self.runs(),
                                         self.time()) if t)
-        body = [f'<h2 id="{self.link}">{html.escape(self.title)}</h2>',
+        body = [f'<h2 id="{self.link}">{in_page(self.title)}</h2>',
                 f'<p class="kicker">{html.escape(source)}</p>']
         body += [page.note(text) for text in self.notes]
         if self.study:
@@ -80,7 +79,7 @@ class Part:
 
 def table_of_contents(parts):
     """The parts with their status, runs and times, as links."""
-    rows = [[f'<a href="#{p.link}">{html.escape(p.title)}</a>',
+    rows = [[f'<a href="#{p.link}">{in_page(p.title)}</a>',
              html.escape(p.status), p.runs(), html.escape(p.time())]
             for p in parts]
     return table(["Part", "Status", "Runs", "Time of its runs"], rows, (0, 1))

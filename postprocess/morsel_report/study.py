@@ -145,7 +145,7 @@ def write(folder):
     study = Study(folder)
     finished = sum(r.get("status") == "finished" for r in study.runs)
     body = ['<p class="kicker">MORSEL · a study</p>',
-            f"<h1>{html.escape(study.title)}</h1>",
+            f"<h1>{in_page(study.title)}</h1>",
             f'<p class="lead">{finished} of {len(study.runs)} runs finished, '
             f"in {len(study.series)} series.</p>"]
     body += contents(study)

@@ -20,7 +20,7 @@ def numbers_of(study, claim):
 
     Correlations have their interval, and differ by a number, not a share."""
     stated, ours = claim.get("stated"), claim.get("ours")
-    unit = claim.get("unit") or "1"
+    unit = claim.get("unit") or study.unit_of(claim.get("quantity"))
     largest = max((abs(v) for v in (stated, ours) if v is not None), default=0)
     factor, prefixed = style.prefix_of(largest, unit)
     name = style.pretty_unit(prefixed)
@@ -67,11 +67,11 @@ def claim_row(study, claim):
     """A row of the table of claims."""
     by = measured_by(study, claim)
     statement = (f"<small>{html.escape(claim.get('source') or '')}</small>"
-                 + html.escape(claim.get("says") or "")
+                 + in_page(claim.get("says") or "")
                  + (f"<small>Here: {by}</small>" if by else ""))
-    words = [f"<b>{html.escape(claim['finding'])}</b>"
+    words = [f"<b>{in_page(claim['finding'])}</b>"
              if claim.get("finding") else "",
-             html.escape(claim.get("why") or ""),
+             in_page(claim.get("why") or ""),
              "<small>No number of ours: " + html.escape(claim["note"])
              + ".</small>" if claim.get("note") else ""]
     return [statement, *map(html.escape, numbers_of(study, claim)),

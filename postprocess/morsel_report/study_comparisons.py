@@ -6,7 +6,7 @@ import numpy as np
 
 from . import kernels, style
 from .study_data import (COLOURS, axis_label, free_axes, groups_of, in_figure,
-                         leading_axes, runs_with)
+                         leading_axes, name_among, runs_with)
 
 # More settings than these are left to the table of means.
 MOST_ROWS = 40
@@ -94,18 +94,19 @@ def side_by_side(study, quantity):
     order = {s["name"]: k for k, s in enumerate(study.series)}
     figure, axes = plt.subplots(figsize=(7.4, 0.3 * len(runs) + 1.1),
                                 layout="constrained")
+    largest = max(map(abs, values))
     for i, (run, value) in enumerate(zip(runs, values)):
         colour = COLOURS[order[run["series"]] % len(COLOURS)]
         axes.plot([0, value], [i, i], color=colour, lw=1.2, alpha=0.5)
         axes.plot(value, i, "o", color=colour, ms=6)
+        # Next to zero there is room on the right alone.
+        side = -1 if value < -0.02 * largest else 1
         axes.annotate(style.digits(value, 3), (value, i), fontsize=8,
                       textcoords="offset points", va="center",
-                      xytext=(8 if value >= 0 else -8, 0),
-                      ha="left" if value >= 0 else "right")
-    axes.set_yticks(range(len(runs)), [", ".join(
-        ([study.title_of(r["series"])] if len(study.series) > 1 else [])
-        + [study.name_of(a, r) for a in leading_axes(study) if a in r["axes"]])
-        for r in runs])
+                      xytext=(8 * side, 0),
+                      ha="left" if side > 0 else "right")
+    axes.set_yticks(range(len(runs)),
+                    [name_among(study, r, runs) for r in runs])
     axes.set_ylim(len(runs) - 0.5, -0.5)
     axes.axvline(0, color=style.INK, lw=0.8)
     axes.margins(x=0.16)

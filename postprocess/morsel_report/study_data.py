@@ -149,7 +149,7 @@ class Study:
         value = run["axes"].get(axis)
         unit = self.axes[axis]["unit"]
         text = (str(value) if isinstance(value, str)
-                else style.digits(value) if value is not None else "")
+                else style.plain(value) if value is not None else "")
         unit = "" if unit == "1" else "\u202f" + style.pretty_unit(unit)
         return f"{self.axes[axis]['label']} {text}{unit}"
 
@@ -242,12 +242,14 @@ def free_axes(study, runs):
 
 
 def name_among(study, run, others, draws=True):
-    """What tells a run from others: its series, and the axes that vary."""
+    """What tells a run from others: its series, and the axes that vary in
+    it."""
     parts = []
     if len({r["series"] for r in others}) > 1:
         parts.append(study.title_of(run["series"]))
+    alike = [r for r in others if r["series"] == run["series"]]
     parts += [study.name_of(a, run) for a in run["axes"]
-              if len({r["axes"].get(a) for r in others}) > 1
+              if len({r["axes"].get(a) for r in alike}) > 1
               and study.axes[a]["together_with"] not in study.axes
               and (draws or a not in study.random_axes())]
     return ", ".join(parts) or study.title_of(run["series"])

@@ -1,14 +1,15 @@
 """Figures from what the runs of a study left: curves of their histories, and
 pictures of their own reports side by side."""
-import html
 import re
+import struct
 
 import matplotlib.pyplot as plt
 import numpy as np
 
 from . import page, style
 from .reader import NoRun, Run, read_table
-from .study_data import COLOURS, axis_label, capital, name_among
+from .study_data import (COLOURS, axis_label, capital, in_figure, in_page,
+                         name_among)
 
 # More curves than these are told apart by shades of one colour map.
 MOST_COLOURS = len(COLOURS)
@@ -118,10 +119,10 @@ class Looks:
 
     def handles(self):
         """The legend: settings, then series."""
-        return ([plt.Line2D([], [], color=c, lw=1.6, label=n)
+        return ([plt.Line2D([], [], color=c, lw=1.6, label=in_figure(n))
                  for n, c in self.colours.items()]
                 + [plt.Line2D([], [], color=style.INK, lw=1.4,
-                              ls=self.dashes[s], label=t)
+                              ls=self.dashes[s], label=in_figure(t))
                    for s, t in self.series.items()])
 
 
@@ -197,11 +198,18 @@ def run_pictures(study, entry):
     return pictures
 
 
+def is_flat(png):
+    """Whether a picture is much wider than high, by its header."""
+    width, height = struct.unpack(">II", png[16:24])
+    return height < 0.6 * width
+
+
 def grid_of(pictures):
-    """Pictures side by side, each with its label; HTML."""
-    figures = [page.embedded(png, html.escape(capital(label)),
-                             label) for label, png, _ in pictures]
-    if len(figures) < 2 or (any(wide for _, _, wide in pictures)
-                            and len(figures) < 4):
+    """Pictures side by side, each with its label; HTML. Few wide and flat
+    ones stand below each other, where they are legible."""
+    figures = [page.embedded(png, in_page(capital(label)), label)
+               for label, png, _ in pictures]
+    flat = any(wide and is_flat(png) for _, png, wide in pictures)
+    if len(figures) < 2 or (flat and len(figures) < 4):
         return "".join(figures)
     return f'<div class="pair">{"".join(figures)}</div>'

@@ -174,7 +174,7 @@ class CollectionTest(PageTest):
         for text in ("The thesis, reproduced", "<p>And every table.</p>",
                      "1 of 3 studies finished, 14 runs in all. The last "
                      "command took 12\u202fmin 34\u202fs.", "7 runs, 2 failed",
-                     "This study failed: status 3: no run",
+                     "Failed: status 3: no run",
                      "has not been run yet", '<a href="#part2">',
                      '<h2 id="part2">', "7 runs</summary>"):
             self.assertIn(text, page)
