@@ -183,33 +183,32 @@ def draw_curves(axes, curves, members, heads, fx, looks):
 
 
 def run_pictures(study, entry):
-    """[(label, png, whether it is wide)] of a figure of the runs' reports."""
+    """[(label, png)] of a figure of the runs' reports."""
     runs = runs_of(study, entry)
     pictures = []
     for run in runs:
         label = name_among(study, run, runs)
         try:
-            png, wide = page.picture_of(Run(study.folder / run["folder"]),
-                                        entry["picture"])
-            pictures.append((label, png, wide))
+            png = page.picture_of(Run(study.folder / run["folder"]),
+                                  entry["picture"])
+            pictures.append((label, png))
         except (NoRun, LookupError) as error:
             study.notes.append(f"Figure '{entry['name']}', {label}: "
                                f"{error.args[0]}")
     return pictures
 
 
-def is_flat(png):
-    """Whether a picture is much wider than high, by its header."""
-    width, height = struct.unpack(">II", png[16:24])
-    return height < 0.6 * width
+def is_wide(png):
+    """Whether a picture needs the width of the page, by its header."""
+    return struct.unpack(">I", png[16:20])[0] > 6.5 * plt.rcParams[
+        "savefig.dpi"]
 
 
 def grid_of(pictures):
-    """Pictures side by side, each with its label; HTML. Few wide and flat
-    ones stand below each other, where they are legible."""
+    """Pictures side by side, each with its label; HTML. Wide ones stand below
+    each other."""
     figures = [page.embedded(png, in_page(capital(label)), label)
-               for label, png, _ in pictures]
-    flat = any(wide and is_flat(png) for _, png, wide in pictures)
-    if len(figures) < 2 or (flat and len(figures) < 4):
+               for label, png in pictures]
+    if len(figures) < 2 or any(is_wide(png) for _, png in pictures):
         return "".join(figures)
     return f'<div class="pair">{"".join(figures)}</div>'
