@@ -1,6 +1,7 @@
 #include "recorder.h"
 #include "run_summary.h"
 
+#include <morsel/materials/catalogue.h>
 #include <morsel/measure/masticatory_performance.h>
 
 #include <deal.II/base/config.h>
@@ -35,6 +36,44 @@ namespace Morsel
           default:
             return "interrupted";
         }
+    }
+
+
+    /// The catalogue's R of a material, 0 where it is not known.
+    double
+    fracture_energy_of(const Materials::MaterialParameters &material)
+    {
+      if (material.name == "inline")
+        return 0.;
+      const Materials::Catalogue catalogue(
+          Materials::Catalogue::shipped_file());
+      const auto *const entry = catalogue.find(material.name);
+      return entry == nullptr ? 0. : entry->fracture_energy;
+    }
+
+
+    /// What relations between foods need of the material.
+    void
+    add_material(Output::Summary                     &summary,
+                 const Materials::MaterialParameters &material)
+    {
+      summary.add_text("material", material.name);
+      summary.add("youngs_modulus",
+                  material.youngs_modulus,
+                  "Pa",
+                  "Young's modulus E of the food");
+      if (material.toughness > 0.)
+        summary.add("toughness",
+                    material.toughness,
+                    "J/m^3",
+                    "area U under the food's stress-strain curve: the strength "
+                    "is sqrt(2 E U) where none is given");
+      if (const double energy = fracture_energy_of(material); energy > 0.)
+        summary.add("fracture_energy",
+                    energy,
+                    "J/m^2",
+                    "R, for a unit area of new crack, from the catalogue; no "
+                    "part of the simulation");
     }
   } // namespace
 
@@ -306,7 +345,7 @@ namespace Morsel
                     log.wall_time() - loop_wall_begin});
     add_provenance(
         summary, scene.title, scene.name, scene.parameters_hash, communicator);
-    summary.add_text("material", scene.particle_bodies.front().material.name);
+    add_material(summary, scene.particle_bodies.front().material);
   }
 
 

@@ -27,6 +27,7 @@ namespace Morsel::Materials
             item.at("youngs_modulus").get_to(entry.youngs_modulus);
             item.at("poissons_ratio").get_to(entry.poissons_ratio);
             item.at("toughness").get_to(entry.toughness);
+            entry.fracture_energy = item.value("fracture_energy", 0.);
             item.at("compressive_strength").get_to(entry.compressive_strength);
             item.at("source").get_to(entry.source);
             item.at("assumed").get_to(entry.assumed);

@@ -17,6 +17,7 @@ namespace Morsel::Materials
     double                   youngs_modulus       = 0.; ///< [Pa]
     double                   poissons_ratio       = 0.; ///< [1]
     double                   toughness            = 0.; ///< U [J/m^3]
+    double                   fracture_energy      = 0.; ///< R [J/m^2]
     double                   compressive_strength = 0.; ///< f_c [Pa]
     std::string              source;  ///< where the values come from
     std::vector<std::string> assumed; ///< values that were not measured
