@@ -172,9 +172,9 @@ def look(k):
 
 
 def capital(label):
-    """A label as a title begins; symbols, h/dp, stay as they are."""
-    return (label[:1].upper() + label[1:] if re.match("[a-z]{3}", label)
-            else label)
+    """A label as a title begins; symbols, h/dp, sqrt(E), stay as they are."""
+    return (label[:1].upper() + label[1:]
+            if re.match(r"[a-z]{3,}(?![a-z(/_])", label) else label)
 
 
 def axis_label(label, unit):
@@ -192,9 +192,7 @@ def percent_ticks(axes):
         shown = round(power) + 2
         if -3 <= shown <= 3:
             return f"{10.0 ** shown:g}\u202f%"
-        exponent = str(shown).translate(
-            str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-        return f"10{exponent}\u202f%"
+        return f"{style.ten_to(shown)}\u202f%"
 
     axis = axes.yaxis
     axis.set_major_formatter(plt.FuncFormatter(text))

@@ -236,8 +236,7 @@ def scatter_of_draws(study, quantity):
         power = power if power < -1 else 0
         factor, unit = 100.0 * 10.0 ** -power, "%"
         if power:
-            unit = "10" + str(power).translate(
-                str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")) + " %"
+            unit = f"{style.ten_to(power)} %"
     else:
         factor, unit = style.prefix_of(
             top, study.quantities[quantity]["unit"])

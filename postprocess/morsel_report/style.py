@@ -80,6 +80,12 @@ def pretty_unit(unit):
     return "" if unit == "1" else unit
 
 
+def ten_to(power):
+    """A power of ten, 10⁻³."""
+    return "10" + str(power).translate(
+        str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
 def digits(value, significant=4):
     """A number with so many digits, integers whole, in groups of three."""
     if value == 0:
@@ -91,9 +97,7 @@ def digits(value, significant=4):
         return f"{value:,.0f}".replace(",", "\u202f")
     if magnitude < -3:
         mantissa = f"{value:.{significant - 1}e}".split("e")
-        power = str(int(mantissa[1])).translate(
-            str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-        return f"{mantissa[0]} · 10{power}".replace("-", "−")
+        return f"{mantissa[0]} · {ten_to(int(mantissa[1]))}".replace("-", "−")
     return f"{value:.{significant - 1 - magnitude}f}".replace("-", "−")
 
 
