@@ -133,14 +133,18 @@ def draw_line(axes, group, x, factors, wide, look_of):
 
 
 def draw_labels(axes, groups, factors, lines, colours):
-    """Names the points; what several series share at one x is named once."""
-    points, texts, inks, named = [], [], [], set()
+    """Names the points; what several series share at one x is named once, in
+    no series' colour."""
+    points, texts, inks, named = [], [], [], {}
     order = [(p["x"], p["y"], str(p.get("label") or ""), colour)
              for (group, _, _), colour in zip(groups, colours)
              for p in group["points"]]
     for x, y, name, colour in sorted(order, key=lambda o: -o[1]):
-        if name and (name, f"{x:.3g}") not in named:
-            named.add((name, f"{x:.3g}"))
+        place = name, f"{x:.3g}"
+        if place in named:
+            inks[named[place]] = style.INK
+        elif name:
+            named[place] = len(points)
             points.append((factors[0] * x, factors[1] * y))
             texts.append(in_figure(name))
             inks.append(colour if len(groups) > 1 else style.INK)
