@@ -6,7 +6,8 @@ import numpy as np
 
 from . import kernels, style
 from .study_data import (COLOURS, axis_label, free_axes, groups_of, in_figure,
-                         leading_axes, name_among, runs_with)
+                         is_wide, leading_axes, name_among, plain_ticks,
+                         runs_with)
 
 # More settings than these are left to the table of means.
 MOST_ROWS = 40
@@ -161,7 +162,7 @@ def draws_side_by_side(study, quantity):
     order = {s["name"]: k for k, s in enumerate(study.series)}
     height = 0.3 + 0.14 * (len(order) - 1)
     figure, axes = plt.subplots(layout="constrained", figsize=(
-        7.4, height * len(rows) + 1.1 + 0.26 * (len(order) > 1)))
+        7.4, height * len(rows) + 0.9))
     for (series, name), members in settings.items():
         k = order[series]
         colour = COLOURS[k % len(COLOURS)]
@@ -174,8 +175,13 @@ def draws_side_by_side(study, quantity):
     axes.set_yticks(range(len(rows)), rows)
     axes.set_ylim(len(rows) - 0.5, -0.5)
     axes.grid(axis="y", visible=False)
+    everything = factor * np.array([r["quantities"][quantity][kind]
+                                    for r in runs])
     if errors:
         axes.axvline(0, color=style.INK, lw=0.8, zorder=1)
+    elif is_wide(everything):
+        axes.set_xscale("log")
+        plain_ticks(axes.xaxis, everything)
     label = in_figure(study.label_of(quantity))
     axes.set_xlabel(axis_label(f"Error of {label}" if errors else label, unit))
     if len(order) > 1:

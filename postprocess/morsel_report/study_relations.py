@@ -6,11 +6,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from . import labels, style
-from .study_data import axis_label, in_figure, in_page, look, plain_ticks
+from .study_data import (axis_label, in_figure, in_page, is_wide, look,
+                         plain_ticks)
 from .study_tables import table
 
-# Points over a wider range than this many decades are drawn over logarithms.
-WIDEST_LINEAR = 1.2
 # More points than these are not labelled: nobody could tell them apart.
 MOST_LABELLED = 30
 RANGE = "{:.2f} … {:.2f}"
@@ -63,10 +62,9 @@ def groups_of(relation):
             for g in relation["groups"] if g["points"]]
 
 
-def is_wide(groups):
+def over_logarithms(groups):
     """Whether x is best drawn over logarithms."""
-    x = np.concatenate([x for _, x, _ in groups])
-    return x.min() > 0 and math.log10(x.max() / x.min()) > WIDEST_LINEAR
+    return is_wide(np.concatenate([x for _, x, _ in groups]))
 
 
 def scales(study, relation, groups):
@@ -157,9 +155,9 @@ def relation_figure(study, relation):
     groups = groups_of(relation)
     if not groups:
         return None
-    wide = is_wide(groups)
+    wide = over_logarithms(groups)
     (fx, unit_x), (fy, unit_y) = scales(study, relation, groups)
-    figure, axes = plt.subplots(figsize=(7.4, 5.2), layout="constrained")
+    figure, axes = plt.subplots(figsize=(7.4, 4.6), layout="constrained")
     lines, colours = [], []
     for k, (group, x, y) in enumerate(groups):
         form = look(k)
@@ -204,7 +202,7 @@ def relation_caption(study, relation):
     if any(deviations(g, name, 1.0) for g, _, _ in groups for name in "xy"):
         text = ("Means over the draws, with their standard deviations. "
                 + text)
-    if groups and is_wide(groups):
+    if groups and over_logarithms(groups):
         text += (" They are straight; over the logarithmic axis they look "
                  "bent.")
     if any(beyond(groups, group, x) for group, x, _ in groups):

@@ -150,7 +150,7 @@ def history_figure(study, entry):
     columns = max(1, min(5, len(texts), 105 // (max(map(len, texts)) + 7)))
     figure, grid = plt.subplots(
         len(units), 1, squeeze=False, sharex=True, layout="constrained",
-        figsize=(7.4, 1.1 + 3.2 * len(units) + 0.26 * len(texts) / columns))
+        figsize=(7.4, 1.1 + 3.2 * len(units)))
     fx, label = scale_of([x_head[0]], x_head[1], [x for _, x, _ in curves])
     grid[-1][0].set_xlabel(label)
     for axes, unit in zip(grid[:, 0], units):
@@ -198,7 +198,7 @@ def run_pictures(study, entry):
     return pictures
 
 
-def is_wide(png):
+def needs_width(png):
     """Whether a picture needs the width of the page, by its header."""
     return struct.unpack(">I", png[16:20])[0] > 6.5 * plt.rcParams[
         "savefig.dpi"]
@@ -209,6 +209,6 @@ def grid_of(pictures):
     each other."""
     figures = [page.embedded(png, in_page(capital(label)), label)
                for label, png in pictures]
-    if len(figures) < 2 or any(is_wide(png) for _, png in pictures):
+    if len(figures) < 2 or any(needs_width(png) for _, png in pictures):
         return "".join(figures)
     return f'<div class="pair">{"".join(figures)}</div>'

@@ -166,10 +166,11 @@ def difference(share):
 
 
 def legend_above(figure, handles, labels, columns):
-    """A legend above the axes, in rows for which room is made."""
-    rows = math.ceil(len(labels) / columns)
-    room = (0.096 + 0.264 * rows) / figure.get_figheight()
-    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - room))
+    """A legend above the axes; the figure grows by its rows."""
+    height = figure.get_figheight()
+    whole = height + 0.1 + 0.23 * math.ceil(len(labels) / columns)
+    figure.set_figheight(whole)
+    figure.get_layout_engine().set(rect=(0, 0, 1, height / whole))
     figure.legend(handles, labels, loc="upper center", ncol=columns)
 
 
