@@ -46,7 +46,8 @@ td code{font-size:12.5px;color:var(--quiet);
 .claims td{overflow-wrap:break-word}.claims td:first-child{width:36%}
 .claims td:last-child{width:34%}
 .claims small{display:block;color:var(--quiet);font-size:13px}
-.scroll{overflow-x:auto}
+.scroll{overflow-x:auto}.scroll th.n{white-space:normal}
+.scroll td:first-child{min-width:9em}.scroll td:nth-child(2){white-space:nowrap}
 a{color:var(--accent);text-decoration:none}.whole{white-space:nowrap}
 .bar{display:block;background:var(--accent);height:9px;border-radius:2px;
  min-width:1px}
@@ -120,25 +121,35 @@ def draw(run, story):
     return pictures
 
 
+def narrowed(figure, width=5.4):
+    """A figure of one or two panels, narrow enough to stand beside another
+    one, with letters as large as before."""
+    if figure is not None and len(figure.axes) <= 2:
+        old, height = figure.get_size_inches()
+        scale = min(1.0, width / old)
+        figure.set_size_inches(scale * old, max(scale * height, 2.4))
+    return figure
+
+
 def picture_of(run, name):
-    """(PNG, whether it is wide) of one of the run's figures.
+    """The PNG of one of the run's figures, to stand beside other runs'.
 
     LookupError: there is none; why, in a sentence.
     """
     story = story_of(run)
-    found = next((f for f in story.FIGURES if f[0] == name), None)
-    if found is None:
+    make = next((f[1] for f in story.FIGURES if f[0] == name), None)
+    if make is None:
         raise LookupError(
             f"the run's report has no figure '{name}', but "
             + ", ".join(f[0] for f in story.FIGURES) + ".")
-    png, problem = style.picture(found[1], run)
+    png, problem = style.picture(lambda: narrowed(make(run)))
     if png is None and not (run.folder / "solution").is_dir():
         problem = "its fields were not kept (Study/Keep fields)"
     if png is None:
         raise LookupError(f"'{name}' could not be drawn: "
                           + (problem or "the run did not leave what it shows")
                           + ".")
-    return png, found[3]
+    return png
 
 
 def image(story, name, pictures):

@@ -42,7 +42,7 @@ def own_figure(study, entry):
     if entry["kind"] != "picture":
         raise ValueError(f"its kind is '{entry['kind']}'")
     pictures = run_pictures(study, entry)
-    for k, (_, png, _) in enumerate(pictures):
+    for k, (_, png) in enumerate(pictures):
         (study.folder / "figures" / f"picture_{name}_{k}.png").write_bytes(png)
     if not pictures:
         return ""

@@ -6,7 +6,8 @@ import numpy as np
 
 from . import kernels, style
 from .study_data import (COLOURS, axis_label, free_axes, groups_of, in_figure,
-                         leading_axes, name_among, runs_with)
+                         is_wide, leading_axes, name_among, plain_ticks,
+                         runs_with)
 
 # More settings than these are left to the table of means.
 MOST_ROWS = 40
@@ -74,6 +75,13 @@ def over_two_axes(study, quantity):
     return figure
 
 
+def make_room(axes, inches=0.6):
+    """Room for numbers beside the first and the last point."""
+    axes.figure.canvas.draw()
+    width = axes.get_window_extent().width / axes.figure.dpi
+    axes.margins(x=inches / max(width - 2 * inches, inches))
+
+
 def side_by_side(study, quantity):
     """Series, and what texts tell apart, below each other: errors or values."""
     runs = runs_with(study, quantity)
@@ -109,7 +117,7 @@ def side_by_side(study, quantity):
                     [name_among(study, r, runs) for r in runs])
     axes.set_ylim(len(runs) - 0.5, -0.5)
     axes.axvline(0, color=style.INK, lw=0.8)
-    axes.margins(x=0.16)
+    make_room(axes)
     axes.grid(axis="y", visible=False)
     label = in_figure(study.quantities[quantity]["label"])
     axes.set_xlabel(axis_label(f"Error of {label}" if errors else label, unit))
@@ -117,20 +125,25 @@ def side_by_side(study, quantity):
 
 
 def settings_of(study, runs):
-    """The runs of each setting, {(series, values): draws}."""
-    return {(series["name"], key): members for series in study.series
-            for key, members in groups_of(
-                [r for r in runs if r["series"] == series["name"]],
-                leading_axes(study)).items()}
+    """The draws of each setting, {(series, what varies in it): runs}."""
+    settings = {}
+    for series in study.series:
+        own = [r for r in runs if r["series"] == series["name"]]
+        for r in own:
+            key = series["name"], name_among(study, r, own, draws=False)
+            settings.setdefault(key, []).append(r)
+    return settings
 
 
 def has_settings(study, quantity):
     """Whether there are draws of several settings that fit below each other,
     and no axis of numbers to show them over."""
     runs = runs_with(study, quantity)
-    settings = {key for _, key in settings_of(study, runs)}
-    return bool(study.random_axes()) and 1 < len(settings) <= MOST_ROWS and (
-        not free_axes(study, runs))
+    settings = settings_of(study, runs)
+    names = {name for _, name in settings}
+    return (bool(study.random_axes()) and not free_axes(study, runs)
+            and len({series for series, _ in settings}) < len(settings)
+            and len(names) <= MOST_ROWS)
 
 
 def draws_side_by_side(study, quantity):
@@ -145,27 +158,30 @@ def draws_side_by_side(study, quantity):
     factor, unit = (100.0, "%") if errors else style.prefix_of(
         max(abs(r["quantities"][quantity]["value"]) for r in runs),
         study.unit_of(quantity))
-    rows = list(dict.fromkeys(key for _, key in settings))
+    rows = list(dict.fromkeys(name for _, name in settings))
     order = {s["name"]: k for k, s in enumerate(study.series)}
     height = 0.3 + 0.14 * (len(order) - 1)
     figure, axes = plt.subplots(layout="constrained", figsize=(
-        7.4, height * len(rows) + 1.1 + 0.26 * (len(order) > 1)))
-    for (series, key), members in settings.items():
+        7.4, height * len(rows) + 0.9))
+    for (series, name), members in settings.items():
         k = order[series]
         colour = COLOURS[k % len(COLOURS)]
-        y = rows.index(key) + (k - 0.5 * (len(order) - 1)) * 0.7 / len(order)
+        y = rows.index(name) + (k - 0.5 * (len(order) - 1)) * 0.7 / len(order)
         values = np.array([factor * r["quantities"][quantity][kind]
                            for r in members])
         axes.plot(values, np.full(len(values), y), "o", ms=4.5, alpha=0.55,
                   color=colour, mew=0)
         axes.plot(values.mean(), y, "|", ms=11, mew=2, color=colour)
-    names = {key: ", ".join(study.name_of(a, members[0]) for a, _ in key)
-             for (_, key), members in settings.items()}
-    axes.set_yticks(range(len(rows)), [names[key] or "all" for key in rows])
+    axes.set_yticks(range(len(rows)), rows)
     axes.set_ylim(len(rows) - 0.5, -0.5)
     axes.grid(axis="y", visible=False)
+    everything = factor * np.array([r["quantities"][quantity][kind]
+                                    for r in runs])
     if errors:
         axes.axvline(0, color=style.INK, lw=0.8, zorder=1)
+    elif is_wide(everything):
+        axes.set_xscale("log")
+        plain_ticks(axes.xaxis, everything)
     label = in_figure(study.label_of(quantity))
     axes.set_xlabel(axis_label(f"Error of {label}" if errors else label, unit))
     if len(order) > 1:

@@ -6,12 +6,15 @@ import pathlib
 import re
 
 import matplotlib.pyplot as plt
+from matplotlib.ticker import FixedLocator, NullLocator
 
 from . import style
 from .reader import NoRun
 
 COLOURS = [style.BLUE, style.RED, style.GREEN, style.PURPLE, style.ORANGE,
            style.SKY, style.BLACK, "#8c6d31"]
+# Values over more decades than this are drawn over logarithms.
+WIDEST_LINEAR = 1.2
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 
 # What study.json must have, and what the members are that it may have.
@@ -172,9 +175,9 @@ def look(k):
 
 
 def capital(label):
-    """A label as a title begins; symbols, h/dp, stay as they are."""
-    return (label[:1].upper() + label[1:] if re.match("[a-z]{3}", label)
-            else label)
+    """A label as a title begins; symbols, h/dp, sqrt(E), stay as they are."""
+    return (label[:1].upper() + label[1:]
+            if re.match(r"[a-z]{3,}(?![a-z(/_])", label) else label)
 
 
 def axis_label(label, unit):
@@ -192,9 +195,7 @@ def percent_ticks(axes):
         shown = round(power) + 2
         if -3 <= shown <= 3:
             return f"{10.0 ** shown:g}\u202f%"
-        exponent = str(shown).translate(
-            str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-        return f"10{exponent}\u202f%"
+        return f"{style.ten_to(shown)}\u202f%"
 
     axis = axes.yaxis
     axis.set_major_formatter(plt.FuncFormatter(text))
@@ -206,9 +207,24 @@ def percent_ticks(axes):
                                10.0 ** math.ceil(math.log10(high)), True)
 
 
+def is_wide(values):
+    """Whether values are best drawn over their logarithms."""
+    return min(values) > 0 and math.log10(
+        max(values) / min(values)) > WIDEST_LINEAR
+
+
 def plain_ticks(axis, values):
-    """Logarithmic ticks in plain numbers; few where there are many decades."""
+    """Logarithmic ticks in plain numbers; few where there are many decades,
+    the values themselves where these are few and near."""
     range_of = max(values) / min(values)
+    places = sorted(set(values))
+    if 1 < len(places) < 9 and range_of < 12 and all(
+            b > 1.12 * a for a, b in zip(places, places[1:])):
+        axis.set_major_locator(FixedLocator(places))
+        axis.set_minor_locator(NullLocator())
+        axis.set_major_formatter(plt.FuncFormatter(
+            lambda v, _: f"{v:.3g}" if v < 1000 else style.digits(v, 3)))
+        return
     if range_of < 1e4:
         axis.set_major_formatter(plt.FuncFormatter(
             lambda v, _: f"{v:,g}".replace(",", "\u202f")))

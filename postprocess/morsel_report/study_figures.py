@@ -69,7 +69,9 @@ def convergence(study, quantity):
     label = study.data["resolution"]["label"]
     axes.set_xlabel(axis_label(label, "1"))
     axes.set_ylabel("Error of " + in_figure(study.label_of(quantity)))
-    axes.legend(loc="best")
+    handles, labels = axes.get_legend_handles_labels()
+    style.legend_above(figure, handles, labels,
+                       2 if max(map(len, labels)) < 48 else 1)
     return figure
 
 
@@ -90,7 +92,7 @@ def work_precision(study, quantity):
             study.data["timing"] or study.converges(quantity)):
         return None
     figure, grid = plt.subplots(1, len(shown), sharey=True, squeeze=False,
-                                figsize=(4.1 * len(shown), 4.8),
+                                figsize=(4.1 * len(shown), 4.4),
                                 layout="constrained")
     for axes, (cost, label, unit) in zip(grid[0], shown):
         known = [r for r in runs if r[cost]]
@@ -236,8 +238,7 @@ def scatter_of_draws(study, quantity):
         power = power if power < -1 else 0
         factor, unit = 100.0 * 10.0 ** -power, "%"
         if power:
-            unit = "10" + str(power).translate(
-                str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")) + " %"
+            unit = f"{style.ten_to(power)} %"
     else:
         factor, unit = style.prefix_of(
             top, study.quantities[quantity]["unit"])

@@ -6,11 +6,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from . import labels, style
-from .study_data import axis_label, in_figure, in_page, look, plain_ticks
+from .study_data import (axis_label, in_figure, in_page, is_wide, look,
+                         plain_ticks)
 from .study_tables import table
 
-# Points over a wider range than this many decades are drawn over logarithms.
-WIDEST_LINEAR = 1.5
 # More points than these are not labelled: nobody could tell them apart.
 MOST_LABELLED = 30
 RANGE = "{:.2f} … {:.2f}"
@@ -37,6 +36,14 @@ def correlation(group):
                                 if None not in (low, high) else ""))
 
 
+def coefficient(group, count):
+    """"r = −0.86 (−0.95 … −0.62), 8 points" of a group."""
+    points = f"{count} point{'s' * (count != 1)}"
+    if group.get("correlation") is None:
+        return points + ", no correlation known"
+    return f"r = {correlation(group)}, {points}"
+
+
 def expected(relation):
     """"r = −0.86 (Agrawal et al. 1997, 28 points)"; empty without."""
     r = relation.get("expected_correlation")
@@ -55,10 +62,9 @@ def groups_of(relation):
             for g in relation["groups"] if g["points"]]
 
 
-def is_wide(groups):
+def over_logarithms(groups):
     """Whether x is best drawn over logarithms."""
-    x = np.concatenate([x for _, x, _ in groups])
-    return x.min() > 0 and math.log10(x.max() / x.min()) > WIDEST_LINEAR
+    return is_wide(np.concatenate([x for _, x, _ in groups]))
 
 
 def scales(study, relation, groups):
@@ -125,14 +131,18 @@ def draw_line(axes, group, x, factors, wide, look_of):
 
 
 def draw_labels(axes, groups, factors, lines, colours):
-    """Names the points; what several series share at one x is named once."""
-    points, texts, inks, named = [], [], [], set()
+    """Names the points; what several series share at one x is named once, in
+    no series' colour."""
+    points, texts, inks, named = [], [], [], {}
     order = [(p["x"], p["y"], str(p.get("label") or ""), colour)
              for (group, _, _), colour in zip(groups, colours)
              for p in group["points"]]
     for x, y, name, colour in sorted(order, key=lambda o: -o[1]):
-        if name and (name, f"{x:.3g}") not in named:
-            named.add((name, f"{x:.3g}"))
+        place = name, f"{x:.3g}"
+        if place in named:
+            inks[named[place]] = style.INK
+        elif name:
+            named[place] = len(points)
             points.append((factors[0] * x, factors[1] * y))
             texts.append(in_figure(name))
             inks.append(colour if len(groups) > 1 else style.INK)
@@ -145,9 +155,9 @@ def relation_figure(study, relation):
     groups = groups_of(relation)
     if not groups:
         return None
-    wide = is_wide(groups)
+    wide = over_logarithms(groups)
     (fx, unit_x), (fy, unit_y) = scales(study, relation, groups)
-    figure, axes = plt.subplots(figsize=(7.4, 5.2), layout="constrained")
+    figure, axes = plt.subplots(figsize=(7.4, 4.6), layout="constrained")
     lines, colours = [], []
     for k, (group, x, y) in enumerate(groups):
         form = look(k)
@@ -158,7 +168,7 @@ def relation_figure(study, relation):
             fx * x, fy * y, xerr=deviations(group, "x", fx),
             yerr=deviations(group, "y", fy), ls="none", ms=6, elinewidth=0.9,
             capsize=2.5, zorder=3, **form,
-            label=f"{title}r = {correlation(group)}, {len(x)} points")
+            label=title + coefficient(group, len(x)))
     low, high = axes.get_ylim()
     if wide:
         axes.set_xscale("log")
@@ -192,15 +202,30 @@ def relation_caption(study, relation):
     if any(deviations(g, name, 1.0) for g, _, _ in groups for name in "xy"):
         text = ("Means over the draws, with their standard deviations. "
                 + text)
+    if groups and over_logarithms(groups):
+        text += (" They are straight; over the logarithmic axis they look "
+                 "bent.")
     if any(beyond(groups, group, x) for group, x, _ in groups):
         text += (" A band that would be wider than the figure is left out: "
                  "so few points do not tell the line.")
     if expected(relation):
         text += f" Published: {expected(relation)}."
-    if groups and is_wide(groups):
-        text += (" They are straight; over the logarithmic axis they look "
-                 "bent.")
     return text
+
+
+def slope_scale(study, relation, groups):
+    """(factor, unit) that slopes are shown in: y over x as the figure has
+    them, times a power of ten where numbers would be hard to read."""
+    (fx, unit_x), (fy, unit_y) = scales(study, relation, groups)
+    factor, unit = fy / fx, style.pretty_unit(unit_y) or "1"
+    if style.pretty_unit(unit_x):
+        unit += " per " + style.pretty_unit(unit_x)
+    top = max((abs(factor * g["slope"]) for g, _, _ in groups
+               if g.get("slope")), default=1.0)
+    if 0.01 <= top < 1e4:
+        return factor, unit
+    power = 3 * math.floor(math.log10(top) / 3)
+    return factor * 10.0 ** -power, f"{style.ten_to(power)} · {unit}"
 
 
 def relation_tables(study, relation):
@@ -208,16 +233,12 @@ def relation_tables(study, relation):
     groups = groups_of(relation)
     if not groups:
         return ""
-    (fx, unit_x), (fy, unit_y) = scales(study, relation, groups)
-    factor = fy / fx
-    unit = style.pretty_unit(unit_y) or "1"
-    if style.pretty_unit(unit_x):
-        unit += " per " + style.pretty_unit(unit_x)
+    factor, unit = slope_scale(study, relation, groups)
 
     def number(value):
         return "–" if value is None else style.digits(factor * value, 3)
 
-    against = expected(relation)
+    against = any(g.get("expected_p_value") is not None for g, _, _ in groups)
     head = ["Series", "Points", "r (95\u202f%)", "p", f"Slope [{unit}]",
             "95\u202f%"] + (["p against published r"] if against else [])
     rows = [[html.escape(study.title_of(g["series"])), len(x), correlation(g),

@@ -150,7 +150,7 @@ def history_figure(study, entry):
     columns = max(1, min(5, len(texts), 105 // (max(map(len, texts)) + 7)))
     figure, grid = plt.subplots(
         len(units), 1, squeeze=False, sharex=True, layout="constrained",
-        figsize=(7.4, 1.1 + 3.2 * len(units) + 0.26 * len(texts) / columns))
+        figsize=(7.4, 1.1 + 3.2 * len(units)))
     fx, label = scale_of([x_head[0]], x_head[1], [x for _, x, _ in curves])
     grid[-1][0].set_xlabel(label)
     for axes, unit in zip(grid[:, 0], units):
@@ -183,33 +183,32 @@ def draw_curves(axes, curves, members, heads, fx, looks):
 
 
 def run_pictures(study, entry):
-    """[(label, png, whether it is wide)] of a figure of the runs' reports."""
+    """[(label, png)] of a figure of the runs' reports."""
     runs = runs_of(study, entry)
     pictures = []
     for run in runs:
         label = name_among(study, run, runs)
         try:
-            png, wide = page.picture_of(Run(study.folder / run["folder"]),
-                                        entry["picture"])
-            pictures.append((label, png, wide))
+            png = page.picture_of(Run(study.folder / run["folder"]),
+                                  entry["picture"])
+            pictures.append((label, png))
         except (NoRun, LookupError) as error:
             study.notes.append(f"Figure '{entry['name']}', {label}: "
                                f"{error.args[0]}")
     return pictures
 
 
-def is_flat(png):
-    """Whether a picture is much wider than high, by its header."""
-    width, height = struct.unpack(">II", png[16:24])
-    return height < 0.6 * width
+def needs_width(png):
+    """Whether a picture needs the width of the page, by its header."""
+    return struct.unpack(">I", png[16:20])[0] > 6.5 * plt.rcParams[
+        "savefig.dpi"]
 
 
 def grid_of(pictures):
-    """Pictures side by side, each with its label; HTML. Few wide and flat
-    ones stand below each other, where they are legible."""
+    """Pictures side by side, each with its label; HTML. Wide ones stand below
+    each other."""
     figures = [page.embedded(png, in_page(capital(label)), label)
-               for label, png, _ in pictures]
-    flat = any(wide and is_flat(png) for _, png, wide in pictures)
-    if len(figures) < 2 or (flat and len(figures) < 4):
+               for label, png in pictures]
+    if len(figures) < 2 or any(needs_width(png) for _, png in pictures):
         return "".join(figures)
     return f'<div class="pair">{"".join(figures)}</div>'

@@ -80,6 +80,12 @@ def pretty_unit(unit):
     return "" if unit == "1" else unit
 
 
+def ten_to(power):
+    """A power of ten, 10⁻³."""
+    return "10" + str(power).translate(
+        str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
 def digits(value, significant=4):
     """A number with so many digits, integers whole, in groups of three."""
     if value == 0:
@@ -91,9 +97,7 @@ def digits(value, significant=4):
         return f"{value:,.0f}".replace(",", "\u202f")
     if magnitude < -3:
         mantissa = f"{value:.{significant - 1}e}".split("e")
-        power = str(int(mantissa[1])).translate(
-            str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-        return f"{mantissa[0]} · 10{power}".replace("-", "−")
+        return f"{mantissa[0]} · {ten_to(int(mantissa[1]))}".replace("-", "−")
     return f"{value:.{significant - 1 - magnitude}f}".replace("-", "−")
 
 
@@ -162,10 +166,11 @@ def difference(share):
 
 
 def legend_above(figure, handles, labels, columns):
-    """A legend above the axes, in rows for which room is made."""
-    rows = math.ceil(len(labels) / columns)
-    room = (0.096 + 0.264 * rows) / figure.get_figheight()
-    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - room))
+    """A legend above the axes; the figure grows by its rows."""
+    height = figure.get_figheight()
+    whole = height + 0.1 + 0.23 * math.ceil(len(labels) / columns)
+    figure.set_figheight(whole)
+    figure.get_layout_engine().set(rect=(0, 0, 1, height / whole))
     figure.legend(handles, labels, loc="upper center", ncol=columns)
 
 
