@@ -31,9 +31,11 @@ def moments(run):
     if not rows:
         return None
     width = 9.6 / (len(chosen) + 0.35)
+    # Flat bodies leave the colour bars room for their names.
+    height = max(width * aspect, 1.9)
     figure, grid = plt.subplots(
         len(rows), len(chosen), squeeze=False, layout="constrained",
-        figsize=(9.6, len(rows) * width * aspect + 0.75))
+        figsize=(9.6, len(rows) * height + 0.75))
     for r, (field, label, cmap) in enumerate(rows):
         food.draw_row(figure, grid[r], run, chosen, field, label, cmap,
                       spacing, view)

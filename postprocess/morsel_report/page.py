@@ -3,7 +3,6 @@ import base64
 import html
 import os
 
-
 from . import experiment_story, food_story, plate_story, static_story, style
 from .tables import effects_table, provenance, results_table
 
@@ -25,13 +24,17 @@ p{margin:8px 0;max-width:46em}
 .card b{display:block;font-size:25px;font-weight:600;line-height:1.25;
  white-space:nowrap}
 .card span{display:block;font-size:13.5px;color:var(--quiet);line-height:1.35}
+h3{font-size:17px;margin:30px 0 8px;font-weight:650}
 figure{margin:14px 0 22px}
 figure img{width:100%;height:auto;display:block}
-figcaption{font-size:14px;color:var(--quiet);max-width:62em;margin-top:6px}
+figcaption,.above{font-size:14px;color:var(--quiet);max-width:62em;
+ margin-top:6px}
+.above{margin-top:26px}
 .pair{display:grid;grid-template-columns:1fr 1fr;gap:6px 28px}
 .note{background:#fdf6e3;border-left:4px solid #E69F00;padding:9px 14px;
  font-size:15px;margin:12px 0;max-width:none}
-table{border-collapse:collapse;width:100%;font-size:14.5px;line-height:1.4}
+table{border-collapse:collapse;width:100%;margin-bottom:12px;font-size:14.5px;
+ line-height:1.4}
 th{text-align:left;font-weight:600;border-bottom:2px solid #bbb;
  padding:6px 14px 6px 0;vertical-align:bottom}
 td{border-bottom:1px solid #ececec;padding:6px 14px 6px 0;
@@ -40,6 +43,11 @@ td.n,th.n{text-align:right;white-space:nowrap;
  font-variant-numeric:tabular-nums}
 td code{font-size:12.5px;color:var(--quiet);
  font-family:"DejaVu Sans Mono",Consolas,monospace}
+.claims td{overflow-wrap:break-word}.claims td:first-child{width:36%}
+.claims td:last-child{width:34%}
+.claims small{display:block;color:var(--quiet);font-size:13px}
+.scroll{overflow-x:auto}
+a{color:var(--accent);text-decoration:none}.whole{white-space:nowrap}
 .bar{display:block;background:var(--accent);height:9px;border-radius:2px;
  min-width:1px}
 .off td{color:#8a8a8a}
@@ -66,6 +74,33 @@ def story_of(run):
     return experiment_story if run.is_experiment() else food_story
 
 
+def embedded(png, caption, alt):
+    """A figure of the page, its picture embedded; the caption is HTML."""
+    data = base64.b64encode(png).decode("ascii")
+    return (f'<figure><img src="data:image/png;base64,{data}" '
+            f'alt="{html.escape(alt, quote=True)}">'
+            f"<figcaption>{caption}</figcaption></figure>")
+
+
+def note(text):
+    """Something that the reader has to know."""
+    return f'<p class="note">{html.escape(text)}</p>'
+
+
+def save(report, title, body):
+    """Writes a page that stands alone; returns its path."""
+    text = ('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+            '<meta name="viewport" content="width=device-width">'
+            f"<title>{html.escape(title)} · Morsel</title>"
+            f"<style>{STYLE}</style></head>\n<body><main>\n"
+            + "\n".join(part for part in body if part)
+            + "\n</main></body></html>\n")
+    temporary = report.with_suffix(".html.tmp")
+    temporary.write_text(text, encoding="utf-8")
+    os.replace(temporary, report)
+    return report
+
+
 def draw(run, story):
     """Draws what can be drawn; {name: png}, and notes on what failed."""
     pictures = {}
@@ -85,13 +120,31 @@ def draw(run, story):
     return pictures
 
 
+def picture_of(run, name):
+    """(PNG, whether it is wide) of one of the run's figures.
+
+    LookupError: there is none; why, in a sentence.
+    """
+    story = story_of(run)
+    found = next((f for f in story.FIGURES if f[0] == name), None)
+    if found is None:
+        raise LookupError(
+            f"the run's report has no figure '{name}', but "
+            + ", ".join(f[0] for f in story.FIGURES) + ".")
+    png, problem = style.picture(found[1], run)
+    if png is None and not (run.folder / "solution").is_dir():
+        problem = "its fields were not kept (Study/Keep fields)"
+    if png is None:
+        raise LookupError(f"'{name}' could not be drawn: "
+                          + (problem or "the run did not leave what it shows")
+                          + ".")
+    return png, found[3]
+
+
 def image(story, name, pictures):
     """A figure with its caption, the picture embedded."""
     caption = next(c for n, _, c, _ in story.FIGURES if n == name)
-    data = base64.b64encode(pictures[name]).decode("ascii")
-    return (f'<figure><img src="data:image/png;base64,{data}" '
-            f'alt="{html.escape(caption, quote=True)}">'
-            f"<figcaption>{html.escape(caption)}</figcaption></figure>")
+    return embedded(pictures[name], html.escape(caption), caption)
 
 
 def section(story, title, names, pictures):
@@ -127,7 +180,7 @@ def cards(run, story):
 
 
 def compose(run, story, pictures):
-    """The whole page as text."""
+    """Title and parts of the page."""
     title = (run.text("title") or run.text("scene")
              or run.folder.resolve().name)
     lead = story.outcome(run)
@@ -136,26 +189,16 @@ def compose(run, story, pictures):
     if lead:
         body.append(f'<p class="lead">{html.escape(lead)}</p>')
     body.append(cards(run, story))
-    body += [f'<p class="note">{html.escape(note)}</p>'
-             for note in run.notes + story.warnings_of(run)]
+    body += [note(text) for text in run.notes + story.warnings_of(run)]
     body += story.tables(run)
     body += [section(story, t, names, pictures)
              for t, names in story.SECTIONS]
     body += [results_table(run), effects_table(run), provenance(run)]
-    return ('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
-            '<meta name="viewport" content="width=device-width">'
-            f"<title>{html.escape(title)} · Morsel</title>"
-            f"<style>{STYLE}</style></head>\n<body><main>\n"
-            + "\n".join(part for part in body if part)
-            + "\n</main></body></html>\n")
+    return title, body
 
 
 def write(run):
     """Draws, composes and writes report.html; returns its path."""
     story = story_of(run)
-    text = compose(run, story, draw(run, story))
-    report = run.folder / "report.html"
-    temporary = report.with_suffix(".html.tmp")
-    temporary.write_text(text, encoding="utf-8")
-    os.replace(temporary, report)
-    return report
+    title, body = compose(run, story, draw(run, story))
+    return save(run.folder / "report.html", title, body)

@@ -1,452 +1,114 @@
-"""The page of a study: convergence, work and precision, lines over an axis."""
-import base64
+"""The page of a study: claims, figures, tables, what failed."""
 import html
-import math
-import os
 
-import matplotlib.pyplot as plt
-import numpy as np
+from . import kernels, page, style
+from .study_claims import claims_table
+from .study_data import Study, capital, in_page
+from .study_figures import FIGURES
+from .study_relations import (relation_caption, relation_figure,
+                              relation_tables, title_of)
+from .study_runs import grid_of, history_figure, run_pictures
+from .study_tables import (rate_table, run_table, statistics_table,
+                           time_table)
 
-from . import kernels, style
-from .page import STYLE
-from .study_comparisons import over_two_axes, side_by_side
-from .study_data import (COLOURS, Study, axis_label, free_axes, groups_of,
-                         in_figure, in_page, leading_axes, look,
-                         percent_ticks, plain_ticks, runs_with)
-
-COSTS = [("time", "Time", "s"), ("unknowns", "Unknowns", "1"),
-         ("memory", "Peak memory", "B")]
+QUICK = ("The quick setting: fewer values or coarser ones, for a first look. "
+         "The numbers to quote are those of the full setting.")
 
 
-def rate_text(fit):
-    """"rate 1.98 ± 0.05" of a fit."""
-    if fit["low"] is None:
-        return f"rate {fit['rate']:.2f}"
-    half = (fit["high"] - fit["low"]) / 2
-    return f"rate {fit['rate']:.2f} ± {half:.2f}"
+def drawing(study, file, what, make, *arguments):
+    """The PNG of a figure, saved in figures/; None where there is none."""
+    png, problem = style.picture(make, *arguments)
+    if problem:
+        study.notes.append(f"{what} could not be drawn ({problem}).")
+    if png:
+        (study.folder / "figures" / f"{file}.png").write_bytes(png)
+    return png
 
 
-def convergence(study, quantity):
-    """Error against resolution, with the fitted rates."""
-    runs = [r for r in study.runs if r["resolution"]
-            and study.error(r, quantity) is not None]
-    if not study.converges(quantity):
-        return None
-    fits = [f for f in study.data["rates"] if f["quantity"] == quantity]
-    figure, axes = plt.subplots(figsize=(7.4, 4.9), layout="constrained")
-    for k, series in enumerate(study.series):
-        own = [r for r in runs if r["series"] == series["name"]]
-        fits_here = [f for f in fits if f["series"] == series["name"]]
-        for i, fit in enumerate(fits_here or [None]):
-            members = [r for r in own if fit is None or all(
-                str(r["axes"].get(a)) == v or same(r["axes"].get(a), v)
-                for a, v in fit["at"].items())]
-            members.sort(key=lambda r: r["resolution"])
-            if not members:
-                continue
-            x = np.array([r["resolution"] for r in members])
-            y = np.array([study.error(r, quantity) for r in members])
-            label = series["title"]
-            if fit and fit["at"]:
-                label += ", " + ", ".join(f"{a} {v}"
-                                          for a, v in fit["at"].items())
-            if fit:
-                label += ": " + rate_text(fit)
-            axes.plot(x, y, ls="-", lw=0.8, alpha=1 - 0.12 * i, ms=5.5,
-                      label=label, **look(k))
-            if fit:
-                ends = np.array([x.min(), x.max()])
-                axes.plot(ends, fit["constant"] * ends ** -fit["rate"],
-                          color=COLOURS[k % len(COLOURS)], ls=(0, (5, 3)),
-                          lw=1.2)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    values = [r["resolution"] for r in runs]
-    plain_ticks(axes.xaxis, values)
-    percent_ticks(axes)
-    floor = study.quantities[quantity]["truth_accuracy"]
-    if floor > 0:
-        bottom = min(axes.get_ylim()[0], 0.5 * floor)
-        axes.axhspan(bottom, floor, color="#eeeeee", zorder=0)
-        axes.set_ylim(bottom=bottom)
-    label = study.data["resolution"]["label"]
-    axes.set_xlabel(label[:1].upper() + label[1:])
-    axes.set_ylabel("Error of " + in_figure(study.quantities[quantity]["label"]))
-    axes.legend(loc="best")
-    return figure
+def captioned(label, caption, png):
+    """A figure of the page; label is HTML."""
+    caption = html.escape(caption)
+    return page.embedded(png, f"<b>{label}.</b> {caption}", caption)
 
 
-def same(value, text):
-    """Whether a text is the number of this value."""
-    try:
-        return abs(float(text) - float(value)) <= 1e-9 * max(1, abs(
-            float(value)))
-    except (TypeError, ValueError):
-        return False
+def own_figure(study, entry):
+    """A figure that the study's file asks for."""
+    name, title = entry["name"], entry.get("title") or entry["name"]
+    caption = entry.get("caption") or ""
+    if entry["kind"] == "history":
+        png = drawing(study, f"figure_{name}", f"The figure '{name}'",
+                      history_figure, study, entry)
+        return captioned(in_page(title), caption, png) if png else ""
+    if entry["kind"] != "picture":
+        raise ValueError(f"its kind is '{entry['kind']}'")
+    pictures = run_pictures(study, entry)
+    for k, (_, png, _) in enumerate(pictures):
+        (study.folder / "figures" / f"picture_{name}_{k}.png").write_bytes(png)
+    if not pictures:
+        return ""
+    return (f'<p class="above"><b>{in_page(title)}.</b> '
+            f"{html.escape(caption)}</p>{grid_of(pictures)}")
 
 
-def work_precision(study, quantity):
-    """Error against time, unknowns and memory, with the Pareto fronts."""
-    runs = [r for r in study.runs if study.error(r, quantity) is not None]
-    shown = [c for c in COSTS if len({r[c[0]] for r in runs if r[c[0]]}) > 1]
-    if len(runs) < 3 or not shown or study.random_axes() or not (
-            study.data["timing"] or study.converges(quantity)):
-        return None
-    figure, grid = plt.subplots(1, len(shown), sharey=True, squeeze=False,
-                                figsize=(4.1 * len(shown), 4.8),
-                                layout="constrained")
-    for axes, (cost, label, unit) in zip(grid[0], shown):
-        known = [r for r in runs if r[cost]]
-        factor, prefixed = style.prefix_of(
-            float(np.median([r[cost] for r in known])), unit)
-        if cost == "time":
-            factor, prefixed = 1.0, "s"
-        draw_front(axes, study, quantity, cost, factor)
-        for k, series in enumerate(study.series):
-            own = sorted((r for r in known if r["series"] == series["name"]),
-                         key=lambda r: r[cost])
-            x = np.array([factor * r[cost] for r in own])
-            y = [study.error(r, quantity) for r in own]
-            if cost == "time" and study.data["timing"]:
-                spread = np.array([[factor * (r["time"] - r["time_low"]),
-                                    factor * (r["time_high"] - r["time"])]
-                                   for r in own]).reshape(-1, 2).T
-                axes.errorbar(x, y, xerr=spread, fmt="none", lw=0.8,
-                              ecolor=COLOURS[k % len(COLOURS)], alpha=0.6)
-            axes.plot(x, y, lw=1.1, ms=5.5, label=series["title"], **look(k))
-        axes.set_xscale("log")
-        axes.set_yscale("log")
-        plain_ticks(axes.xaxis, [factor * r[cost] for r in known])
-        axes.set_xlabel(axis_label(label, prefixed))
-    percent_ticks(grid[0][0])
-    grid[0][0].set_ylabel("Error of " + in_figure(study.quantities[quantity]["label"]))
-    handles, labels = grid[0][0].get_legend_handles_labels()
-    columns = min(5, len(labels))
-    rows = math.ceil(len(labels) / columns)
-    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - 0.02 - 0.055 * rows))
-    figure.legend(handles, labels, loc="upper center", ncol=columns)
-    return figure
+def relation_part(study, relation):
+    """Figure and tables of a relation."""
+    name = relation["name"]
+    png = drawing(study, f"relation_{name}", f"The relation '{name}'",
+                  relation_figure, study, relation)
+    if not png:
+        return ""
+    return captioned(title_of(relation), relation_caption(study, relation),
+                     png) + relation_tables(study, relation)
 
 
-def draw_front(axes, study, quantity, cost, factor):
-    """The Pareto front as a broad grey line below the runs."""
-    for front in study.data["pareto_fronts"]:
-        if front["quantity"] == quantity and front["cost"] == cost:
-            best = [study.runs[i] for i in front["runs"]]
-            axes.plot([factor * r[cost] for r in best],
-                      [study.error(r, quantity) for r in best], lw=8,
-                      color="#e0d9c3", solid_capstyle="round",
-                      solid_joinstyle="round", zorder=1, label="Pareto front")
-
-
-def over_axis(study, quantity):
-    """The quantity over an axis that is no resolution, with its truth."""
-    runs = runs_with(study, quantity)
-    candidates = free_axes(study, runs)
-    if len(candidates) in (0, 2):  # see over_two_axes()
-        return None
-    others = [n for n in leading_axes(study) if n != candidates[0]]
-    return draw_over_axis(study, quantity, candidates[0], others, runs)
-
-
-def draw_over_axis(study, quantity, axis, others, runs):
-    """Values with the truth above, errors below."""
-    unit = study.quantities[quantity]["unit"]
-    values = [r["quantities"][quantity]["value"] for r in runs]
-    factor, prefixed = style.prefix_of(max(map(abs, values)), unit)
-    errors = study.has_errors(quantity)
-    figure, grid = plt.subplots(
-        2 if errors else 1, 1, sharex=True, squeeze=False,
-        figsize=(7.4, 6.2 if errors else 4.4), layout="constrained",
-        gridspec_kw={"height_ratios": [2, 1.1] if errors else [1]})
-    upper = grid[0][0]
-    truths, k = {}, -1
-    for series in study.series:
-        own = [r for r in runs if r["series"] == series["name"]
-               and r["axes"].get(axis) is not None]
-        for key, members in groups_of(own, others).items():
-            k += 1
-            members.sort(key=lambda r: r["axes"][axis])
-            x = [r["axes"][axis] for r in members]
-            parts = [series["title"]] if len(study.series) > 1 else []
-            parts += [study.name_of(a, members[0]) for a, _ in key]
-            label = ", ".join(parts) or "computed"
-            upper.plot(x, [factor * r["quantities"][quantity]["value"]
-                           for r in members], lw=1.0, ms=5, label=label,
-                       **look(k))
-            measured = [r for r in members
-                        if study.error(r, quantity) is not None]
-            if errors and measured:
-                grid[1][0].plot(
-                    [r["axes"][axis] for r in measured],
-                    [study.error(r, quantity) for r in measured], lw=1.0,
-                    ms=5, **look(k))
-            for r in members:
-                truth = r["quantities"][quantity]["truth"]
-                if truth is not None:
-                    truths.setdefault(r["axes"][axis], set()).add(truth)
-    if truths and all(len(t) == 1 for t in truths.values()):
-        x = sorted(truths)
-        upper.plot(x, [factor * next(iter(truths[v])) for v in x],
-                   color=style.INK, lw=1.0, marker="_", ms=14, label="truth",
-                   zorder=1, ls="--" if study.quantities[quantity]["truth"]
-                   == "formula" else "none")
-    upper.set_ylabel(axis_label(in_figure(
-        study.quantities[quantity]["label"]), prefixed))
-    upper.legend(loc="best")
-    if errors:
-        grid[1][0].set_yscale("log")
-        percent_ticks(grid[1][0])
-        grid[1][0].set_ylabel("Error")
-    grid[-1][0].set_xlabel(axis_label(study.axes[axis]["label"],
-                                      study.axes[axis]["unit"]))
-    return figure
-
-
-def scatter_of_draws(study, quantity):
-    """How the errors, or values, of draws are distributed."""
-    if not study.random_axes():
-        return None
-    errors = study.has_errors(quantity)
-    samples = []
-    for series in study.series:
-        if errors:
-            own = [r["quantities"][quantity]["error"]
-                   for r in study.of_series(series["name"])]
-        else:
-            own = [r["quantities"][quantity]["value"]
-                   for r in study.of_series(series["name"])]
-        own = [v for v in own if v is not None]
-        if len(own) > 1:
-            samples.append((series["title"], np.array(own)))
-    if not samples:
-        return None
-    top = max(float(np.max(np.abs(s))) for _, s in samples)
-    power = 0
-    if errors:
-        # Percent, and below that powers of ten of it.
-        power = math.floor(math.log10(100 * top)) if top > 0 else 0
-        power = power if power < -1 else 0
-        factor, unit = 100.0 * 10.0 ** -power, "%"
-        if power:
-            unit = "10" + str(power).translate(
-                str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")) + " %"
-    else:
-        factor, unit = style.prefix_of(
-            top, study.quantities[quantity]["unit"])
-    figure, axes = plt.subplots(figsize=(7.4, 4.2), layout="constrained")
-    everything = np.concatenate([s for _, s in samples]) * factor
-    bins = np.linspace(everything.min(), everything.max() or 1, 31)
-    for k, (title, sample) in enumerate(samples):
-        axes.hist(factor * sample, bins=bins, color=COLOURS[k], alpha=0.65,
-                  label=f"{title}, {len(sample)} runs")
-        axes.axvline(factor * float(np.mean(sample)), color=COLOURS[k],
-                     ls="--", lw=1.2)
-    if errors:
-        axes.axvline(0, color=style.INK, lw=1.0)
-    label = in_figure(study.quantities[quantity]["label"])
-    axes.set_xlabel(axis_label(f"Error of {label}" if errors else label, unit))
-    axes.set_ylabel("Runs")
-    axes.legend(loc="best")
-    return figure
-
-
-FIGURES = [
-    ("work_precision", work_precision,
-     "What accuracy costs: error against time, unknowns and memory. On the "
-     "broad line lie the runs that none other beats in both (Pareto front). "
-     "Memory starts from what the program with its libraries takes."),
-    ("convergence", convergence,
-     "Error against resolution, with the fitted rates (95 % confidence). In "
-     "the grey band the truth itself is not known."),
-    ("over_axis", over_axis, "The result over the axis, beside its truth."),
-    ("over_two_axes", over_two_axes,
-     "The result over two axes."),
-    ("side_by_side", side_by_side, "The runs side by side."),
-    ("stability", kernels.stability_map,
-     "The rate at which a small disturbance of a stressed lattice grows, over "
-     "smoothing ratio and stress: above as runs measured it, below by linear "
-     "theory of plane waves. Hatched is what Swegle's condition W'' sigma > 0 "
-     "at the nearest neighbours calls unstable."),
-    ("draws", scatter_of_draws,
-     "How the draws scatter; dashed is the mean."),
-]
-
-
-def draw(study, notes):
-    """All figures that the study calls for: [(name, caption, png)]."""
-    folder = study.folder / "figures"
-    folder.mkdir(exist_ok=True)
-    # Figures of a former report, which must not pass for this one's.
-    for name in ["kernels", *(figure[0] for figure in FIGURES)]:
-        for old in folder.glob(f"{name}_*.png"):
-            old.unlink()
-    pictures = []
-    wanted = [(quantity, entry, *figure)
-              for quantity, entry in study.quantities.items()
-              for figure in FIGURES]
+def automatic_figures(study):
+    """The figures that are called for by what varies."""
+    wanted = [(quantity, study.label_of(quantity), *figure)
+              for quantity in study.drawn() for figure in FIGURES]
     if kernels.is_stability_study(study):
         wanted.insert(0, (
-            "all", {"label": "Kernels"}, "kernels",
+            "all", "Kernels", "kernels",
             lambda *_: kernels.figure_of_kernels(),
             "The kernels with their derivatives. At the nearest neighbours "
             "tension is unstable where W'' is positive, and compression "
             "where it is negative (T3-32)."))
-    for quantity, entry, name, make, caption in wanted:
-        png, problem = style.picture(make, study, quantity)
-        if problem:
-            notes.append(f"The figure '{name}' of {quantity} could not be "
-                         f"drawn ({problem}).")
+    parts = []
+    for quantity, label, name, make, caption in wanted:
+        png = drawing(study, f"{name}_{quantity}",
+                      f"The figure '{name}' of {quantity}", make, study,
+                      quantity)
         if png:
-            (folder / f"{name}_{quantity}.png").write_bytes(png)
-            pictures.append((entry["label"], caption, png))
-    return pictures
+            parts.append(captioned(in_page(capital(label)), caption,
+                                   png))
+    return "\n".join(parts)
 
 
-def picture(label, caption, png):
-    """A figure of the page."""
-    data = base64.b64encode(png).decode("ascii")
-    text = html.escape(caption)
-    return (f'<figure><img src="data:image/png;base64,{data}" alt="{text}">'
-            f"<figcaption><b>{in_page(label)}.</b> {text}</figcaption>"
-            "</figure>")
-
-
-def table(head, rows, first=1):
-    """A table; all columns but the first ones hold numbers."""
-    def cells(row, tag):
-        return "".join(
-            f'<{tag}{"" if i < first else " class=n"}>{cell}</{tag}>'
-            for i, cell in enumerate(row))
-
-    return ("<table><thead><tr>" + cells(head, "th") + "</tr></thead><tbody>"
-            + "".join(f"<tr>{cells(r, 'td')}</tr>" for r in rows)
-            + "</tbody></table>")
-
-
-def time_table(study, quantity):
-    """Time to reach errors, by series."""
-    entries = [e for e in study.data["time_to_reach"]
-               if e["quantity"] == quantity]
-    if not entries or not study.data["timing"]:
-        return ""
-    titles = {s["name"]: s["title"] for s in study.series}
-    levels = [level["error"] for level in entries[0]["levels"]]
-    best = [min((e["levels"][i]["time"] for e in entries
-                 if e["levels"][i]["time"] is not None), default=None)
-            for i in range(len(levels))]
-    rows = []
-    for e in entries:
-        row = [html.escape(titles[e["series"]])]
-        for i, level in enumerate(e["levels"]):
-            if level["time"] is None:
-                row.append("–")
-                continue
-            text = style.quantity(level["time"], "s", 2)
-            if level["kind"] == "at most":
-                text = "≤\u202f" + text
-            row.append(f"<b>{text}</b>" if level["time"] == best[i] else text)
-        rows.append(row)
-    label = in_page(study.quantities[quantity]["label"])
-    return (f"<h2>Time to reach an error of {label}</h2>"
-            + table(["Series"] + [f"{100 * x:g}\u202f%" for x in levels], rows)
-            + "<p>From this time on all runs of the series are at least as "
-            "good, interpolated between runs; ≤: already the cheapest run is; "
-            "–: no run is. In bold the fastest.</p>")
-
-
-def rate_table(study):
-    """All fitted rates."""
-    rates = [f for f in study.data["rates"] if study.converges(f["quantity"])]
-    if not rates:
-        return ""
-    titles = {s["name"]: s["title"] for s in study.series}
-    rows = []
-    for f in rates:
-        where = ", ".join(f"{a} = {v}" for a, v in f["at"].items())
-        rows.append([in_page(study.quantities[f["quantity"]]["label"]),
-                     html.escape(titles[f["series"]]
-                                 + (", " + where if where else "")),
-                     f"{f['rate']:.3f}",
-                     "" if f["low"] is None else
-                     f"{f['low']:.2f} … {f['high']:.2f}", f["points"]])
-    label = html.escape(study.data["resolution"]["label"])
-    return ("<h2>Convergence rates</h2>"
-            + table(["Result", "Series", "Rate", "95\u202f% confidence",
-                     "Runs"], rows, 2)
-            + f"<p>Error = constant · ({label})<sup>−rate</sup>.</p>")
-
-
-def statistics_table(study):
-    """Means and deviations over draws."""
-    if not study.data["statistics"]:
-        return ""
-    titles = {s["name"]: s["title"] for s in study.series}
-    rows = []
-    for s in study.data["statistics"]:
-        unit = study.quantities[s["quantity"]]["unit"]
-        where = ", ".join(f"{a} = {v}" for a, v in s["at"].items())
-        errors = s.get("absolute_error")
-        rows.append([
-            in_page(study.quantities[s["quantity"]]["label"]),
-            html.escape(titles[s["series"]] + (", " + where if where else "")),
-            s["value"]["count"], style.quantity(s["value"]["mean"], unit, 6),
-            style.quantity(s["value"]["standard_deviation"], unit, 3),
-            style.percent(s["error"]["mean"]) if errors else "",
-            style.percent(errors["median"]) if errors else "",
-            style.percent(errors["largest"]) if errors else ""])
-    return ("<h2>Over the draws</h2>"
-            + table(["Result", "Series", "Runs", "Mean", "Deviation",
-                     "Mean error", "Median |error|", "Largest |error|"],
-                    rows, 2))
-
-
-def run_table(study):
-    """Every run; long tables can be opened."""
-    names = list(study.quantities)
-    head = ["Series", "Setting"]
-    for n in names:
-        label = in_page(study.quantities[n]["label"])
-        head += [label] + (["error"] if study.has_errors(n) else [])
-    head += ["Time", "Unknowns", "Memory"]
-    titles = {s["name"]: s["title"] for s in study.series}
-    rows = []
-    for r in study.runs:
-        row = [html.escape(titles[r["series"]])]
-        row.append("<br>".join(html.escape(study.name_of(a, r))
-                               for a in study.axes if a in r["axes"]))
-        for n in names:
-            q = r["quantities"][n]
-            row.append("" if q["value"] is None else html.escape(
-                style.quantity(q["value"], study.quantities[n]["unit"], 6)))
-            if study.has_errors(n):
-                row.append("" if q["error"] is None
-                           else style.percent(q["error"]))
-        if r["status"] == "finished":
-            row += [style.quantity(r["time"], "s", 3) if r["time"] else "",
-                    style.quantity(r["unknowns"], "1") if r["unknowns"]
-                    else "",
-                    style.quantity(r["memory"], "B", 3) if r["memory"] else ""]
-        else:
-            row += [html.escape(r["status"]), "", ""]
-        rows.append(row)
-    text = table(head, rows, 2)
-    if len(rows) > 40:
-        text = (f"<details><summary>All {len(rows)} runs</summary>{text}"
-                "</details>")
-    return "<h2>All runs</h2>" + text
+def figures_of(study):
+    """All figures of a study; those of a former report are removed."""
+    folder = study.folder / "figures"
+    folder.mkdir(exist_ok=True)
+    for name in ["kernels", "figure", "picture", "relation",
+                 *(figure[0] for figure in FIGURES)]:
+        for old in folder.glob(f"{name}_*.png"):
+            old.unlink()
+    parts = [study.attempt(f"The figure '{entry.get('name')}'", own_figure,
+                     study, entry) for entry in study.data["figures"]]
+    parts += [study.attempt(f"The relation '{relation.get('name')}'",
+                      relation_part, study, relation)
+              for relation in study.data["relations"]]
+    parts.append(study.attempt("A figure", automatic_figures, study))
+    return "\n".join(part for part in parts if part)
 
 
 def failures(study):
-    """A note for the runs that failed, with their reasons."""
-    titles = {s["name"]: s["title"] for s in study.series}
+    """Notes for the runs that failed, with their reasons."""
     failed = [r for r in study.runs if r["status"] == "failed"]
     notes = []
     for r in failed[:20]:
-        where = ", ".join(f"{a} = {v if isinstance(v, str) else f'{v:g}'}"
-                          for a, v in r["axes"].items())
-        notes.append(f"Failed: {titles[r['series']]}, {where}: "
-                     f"{r['message']}")
+        which = ", ".join([study.title_of(r["series"])] + [
+            f"{a} = {v if isinstance(v, str) else f'{v:g}'}"
+            for a, v in r["axes"].items()])
+        notes.append(f"Failed: {which}: {r['message']}")
     if len(failed) > 20:
         notes.append(f"{len(failed) - 20} further runs failed; see study.csv.")
     waiting = sum(r["status"] == "not run" for r in study.runs)
@@ -456,36 +118,40 @@ def failures(study):
     return notes
 
 
+def contents(study, level=2, longest=40):
+    """What a page shows of a study, below headings of this level; tables of
+    more runs than the longest number are folded."""
+    parts = [("Beside what is published",
+              study.attempt("The claims", claims_table, study)),
+             ("What the study shows", figures_of(study))]
+    parts += [(f"Time to reach an error of {in_page(study.label_of(q))}",
+               study.attempt("The times to reach errors", time_table, study,
+                       q)) for q in study.quantities]
+    parts += [("Convergence rates",
+               study.attempt("The rates", rate_table, study)),
+              ("Over the draws",
+               study.attempt("The statistics", statistics_table, study)),
+              ("All runs",
+               study.attempt("The runs", run_table, study, longest))]
+    failed = study.attempt("What failed", failures, study) or []
+    notes = ([QUICK] if study.data.get("quick") else []) + study.notes + failed
+    return [page.note(text) for text in notes] + [
+        f"<h{level}>{title}</h{level}>\n{text}"
+        for title, text in parts if text]
+
+
 def write(folder):
     """Draws, composes and writes report.html of a study; returns its path."""
     study = Study(folder)
-    notes = []
-    pictures = draw(study, notes)
-    title = study.data["title"] or study.data["name"]
-    finished = sum(r["status"] == "finished" for r in study.runs)
+    finished = sum(r.get("status") == "finished" for r in study.runs)
     body = ['<p class="kicker">MORSEL · a study</p>',
-            f"<h1>{html.escape(title)}</h1>",
+            f"<h1>{in_page(study.title)}</h1>",
             f'<p class="lead">{finished} of {len(study.runs)} runs finished, '
             f"in {len(study.series)} series.</p>"]
-    body += [f'<p class="note">{html.escape(note)}</p>'
-             for note in notes + failures(study)]
-    body += ["<h2>What the study shows</h2>"] if pictures else []
-    body += [picture(*p) for p in pictures]
-    body += [time_table(study, q) for q in study.quantities]
-    body += [rate_table(study), statistics_table(study), run_table(study)]
+    body += contents(study)
     body.append("<h2>Where this comes from</h2><p>Study "
-                f"<code>{html.escape(study.data['study'])}</code>, program "
-                f"version {html.escape(study.data['program_version'])}. Beside "
+                f"<code>{html.escape(study.text('study'))}</code>, program "
+                f"version {html.escape(study.text('program_version'))}. Beside "
                 "this page: study.csv, study.json, used.prm, run.log, figures, "
                 "runs.</p>")
-    text = ('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
-            '<meta name="viewport" content="width=device-width">'
-            f"<title>{html.escape(title)} · Morsel</title>"
-            f"<style>{STYLE}</style></head>\n<body><main>\n"
-            + "\n".join(part for part in body if part)
-            + "\n</main></body></html>\n")
-    report = study.folder / "report.html"
-    temporary = report.with_suffix(".html.tmp")
-    temporary.write_text(text, encoding="utf-8")
-    os.replace(temporary, report)
-    return report
+    return page.save(study.folder / "report.html", study.title, body)

@@ -6,7 +6,10 @@ import numpy as np
 
 from . import kernels, style
 from .study_data import (COLOURS, axis_label, free_axes, groups_of, in_figure,
-                         leading_axes, runs_with)
+                         leading_axes, name_among, runs_with)
+
+# More settings than these are left to the table of means.
+MOST_ROWS = 40
 
 
 def over_two_axes(study, quantity):
@@ -40,9 +43,10 @@ def over_two_axes(study, quantity):
                  math.ceil(len(groups) / columns) * (0.42 * len(y) + 1.3)))
     for axes_, (title, key, members) in zip(grid.flat, groups):
         table_ = np.full((len(y), len(x)), np.nan)
-        for r in members:
-            table_[y.index(r["axes"][axes[1]]),
-                   x.index(r["axes"][axes[0]])] = factor * number_of(r)
+        for place, draws in groups_of(members, axes).items():
+            place = dict(place)
+            table_[y.index(place[axes[1]]), x.index(place[axes[0]])] = (
+                factor * np.mean([number_of(r) for r in draws]))
         shown = axes_.imshow(
             table_, origin="lower", aspect="auto",
             cmap="RdBu_r" if signed else "YlOrRd",
@@ -87,26 +91,86 @@ def side_by_side(study, quantity):
         factor, unit = style.prefix_of(
             max(map(abs, values)), study.quantities[quantity]["unit"])
         values = [factor * v for v in values]
-    titles = {s["name"]: s["title"] for s in study.series}
     order = {s["name"]: k for k, s in enumerate(study.series)}
     figure, axes = plt.subplots(figsize=(7.4, 0.3 * len(runs) + 1.1),
                                 layout="constrained")
+    largest = max(map(abs, values))
     for i, (run, value) in enumerate(zip(runs, values)):
         colour = COLOURS[order[run["series"]] % len(COLOURS)]
         axes.plot([0, value], [i, i], color=colour, lw=1.2, alpha=0.5)
         axes.plot(value, i, "o", color=colour, ms=6)
+        # Next to zero there is room on the right alone.
+        side = -1 if value < -0.02 * largest else 1
         axes.annotate(style.digits(value, 3), (value, i), fontsize=8,
                       textcoords="offset points", va="center",
-                      xytext=(8 if value >= 0 else -8, 0),
-                      ha="left" if value >= 0 else "right")
-    axes.set_yticks(range(len(runs)), [", ".join(
-        ([titles[r["series"]]] if len(study.series) > 1 else [])
-        + [study.name_of(a, r) for a in leading_axes(study) if a in r["axes"]])
-        for r in runs])
+                      xytext=(8 * side, 0),
+                      ha="left" if side > 0 else "right")
+    axes.set_yticks(range(len(runs)),
+                    [name_among(study, r, runs) for r in runs])
     axes.set_ylim(len(runs) - 0.5, -0.5)
     axes.axvline(0, color=style.INK, lw=0.8)
     axes.margins(x=0.16)
     axes.grid(axis="y", visible=False)
     label = in_figure(study.quantities[quantity]["label"])
     axes.set_xlabel(axis_label(f"Error of {label}" if errors else label, unit))
+    return figure
+
+
+def settings_of(study, runs):
+    """The runs of each setting, {(series, values): draws}."""
+    return {(series["name"], key): members for series in study.series
+            for key, members in groups_of(
+                [r for r in runs if r["series"] == series["name"]],
+                leading_axes(study)).items()}
+
+
+def has_settings(study, quantity):
+    """Whether there are draws of several settings that fit below each other,
+    and no axis of numbers to show them over."""
+    runs = runs_with(study, quantity)
+    settings = {key for _, key in settings_of(study, runs)}
+    return bool(study.random_axes()) and 1 < len(settings) <= MOST_ROWS and (
+        not free_axes(study, runs))
+
+
+def draws_side_by_side(study, quantity):
+    """The draws of each setting below each other, with their means."""
+    if not has_settings(study, quantity):
+        return None
+    runs = runs_with(study, quantity)
+    errors = study.has_errors(quantity)
+    kind = "error" if errors else "value"
+    runs = [r for r in runs if r["quantities"][quantity][kind] is not None]
+    settings = settings_of(study, runs)
+    factor, unit = (100.0, "%") if errors else style.prefix_of(
+        max(abs(r["quantities"][quantity]["value"]) for r in runs),
+        study.unit_of(quantity))
+    rows = list(dict.fromkeys(key for _, key in settings))
+    order = {s["name"]: k for k, s in enumerate(study.series)}
+    height = 0.3 + 0.14 * (len(order) - 1)
+    figure, axes = plt.subplots(layout="constrained", figsize=(
+        7.4, height * len(rows) + 1.1 + 0.26 * (len(order) > 1)))
+    for (series, key), members in settings.items():
+        k = order[series]
+        colour = COLOURS[k % len(COLOURS)]
+        y = rows.index(key) + (k - 0.5 * (len(order) - 1)) * 0.7 / len(order)
+        values = np.array([factor * r["quantities"][quantity][kind]
+                           for r in members])
+        axes.plot(values, np.full(len(values), y), "o", ms=4.5, alpha=0.55,
+                  color=colour, mew=0)
+        axes.plot(values.mean(), y, "|", ms=11, mew=2, color=colour)
+    names = {key: ", ".join(study.name_of(a, members[0]) for a, _ in key)
+             for (_, key), members in settings.items()}
+    axes.set_yticks(range(len(rows)), [names[key] or "all" for key in rows])
+    axes.set_ylim(len(rows) - 0.5, -0.5)
+    axes.grid(axis="y", visible=False)
+    if errors:
+        axes.axvline(0, color=style.INK, lw=0.8, zorder=1)
+    label = in_figure(study.label_of(quantity))
+    axes.set_xlabel(axis_label(f"Error of {label}" if errors else label, unit))
+    if len(order) > 1:
+        style.legend_above(figure, [
+            plt.Line2D([], [], color=COLOURS[k % len(COLOURS)], marker="o",
+                       ls="none") for k in order.values()],
+            [study.title_of(s) for s in order], min(4, len(order)))
     return figure

@@ -14,6 +14,29 @@ COLOURS = [style.BLUE, style.RED, style.GREEN, style.PURPLE, style.ORANGE,
            style.SKY, style.BLACK, "#8c6d31"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 
+# What study.json must have, and what the members are that it may have.
+NEEDED = {"runs": list, "series": list, "quantities": dict, "axes": dict}
+OPTIONAL = {"rates": list, "pareto_fronts": list, "time_to_reach": list,
+            "statistics": list, "relations": list, "claims": list,
+            "figures": list}
+
+
+def read_document(file):
+    """The object that a JSON file holds."""
+    try:
+        document = json.loads(file.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise NoRun(f"'{file}' is not readable: {error}.") from error
+    if not isinstance(document, dict):
+        raise NoRun(f"'{file}' holds no object.")
+    return document
+
+
+def is_readable(member, kind):
+    """Whether a member is a list, or an object, of objects."""
+    return isinstance(member, kind) and all(
+        isinstance(entry, dict)
+        for entry in (member.values() if kind is dict else member))
 
 
 class Study:
@@ -21,16 +44,63 @@ class Study:
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
-        text = (self.folder / "study.json").read_text(encoding="utf-8")
-        try:
-            self.data = json.loads(text)
-        except json.JSONDecodeError as error:
-            raise NoRun(f"'{self.folder}/study.json' is not readable: "
-                        f"{error}.") from error
+        self.notes = []
+        self.data = read_document(self.folder / "study.json")
+        for name, kind in NEEDED.items():
+            if not is_readable(self.data.get(name), kind):
+                raise NoRun(f"'{self.folder}/study.json' is no study's: its "
+                            f"'{name}' cannot be read.")
+        for name, kind in OPTIONAL.items():
+            self._check(name, kind)
+        self.data.setdefault("timing", False)
+        if not isinstance(self.data.get("resolution"), dict):
+            self.data["resolution"] = {"formula": "", "label": "resolution"}
+        self.title = self.text("title") or self.text("name") or "A study"
         self.runs = self.data["runs"]
         self.series = self.data["series"]
         self.quantities = self.data["quantities"]
         self.axes = self.data["axes"]
+
+    def _check(self, name, kind):
+        """Makes sure that a member is there; what is unreadable is noted."""
+        member = self.data.get(name)
+        if not is_readable(member, kind):
+            if member is not None:
+                self.notes.append(f"study.json: '{name}' cannot be read.")
+            self.data[name] = kind()
+
+    def attempt(self, what, make, *arguments):
+        """What make(*arguments) returns; empty, with a note, where it cannot
+        read what it needs."""
+        try:
+            return make(*arguments)
+        except style.BROKEN as error:
+            note = f"{what} cannot be shown ({style.problem_of(error)})."
+            if note not in self.notes:
+                self.notes.append(note)
+            return ""
+
+    def text(self, name):
+        """A text of study.json; empty where there is none."""
+        return str(self.data.get(name) or "")
+
+    def title_of(self, name):
+        """The title of a series."""
+        return next((s["title"] for s in self.series if s["name"] == name),
+                    str(name))
+
+    def label_of(self, quantity):
+        """The label of a quantity."""
+        return str(self.quantities.get(quantity, {}).get("label") or quantity)
+
+    def unit_of(self, quantity):
+        """The unit of a quantity."""
+        return self.quantities.get(quantity, {}).get("unit") or "1"
+
+    def drawn(self):
+        """The quantities that get figures by themselves."""
+        return [q for q, entry in self.quantities.items()
+                if entry.get("drawn", True)]
 
     def of_series(self, name):
         """The finished runs of a series."""
@@ -79,7 +149,7 @@ class Study:
         value = run["axes"].get(axis)
         unit = self.axes[axis]["unit"]
         text = (str(value) if isinstance(value, str)
-                else style.digits(value) if value is not None else "")
+                else style.plain(value) if value is not None else "")
         unit = "" if unit == "1" else "\u202f" + style.pretty_unit(unit)
         return f"{self.axes[axis]['label']} {text}{unit}"
 
@@ -101,10 +171,16 @@ def look(k):
             "marker": MARKERS[k % len(MARKERS)]}
 
 
+def capital(label):
+    """A label as a title begins; symbols, h/dp, stay as they are."""
+    return (label[:1].upper() + label[1:] if re.match("[a-z]{3}", label)
+            else label)
+
+
 def axis_label(label, unit):
     """A label with its unit in brackets."""
     unit = style.pretty_unit(unit)
-    return label + (f" [{unit}]" if unit else "")
+    return capital(label) + (f" [{unit}]" if unit else "")
 
 
 def percent_ticks(axes):
@@ -163,6 +239,20 @@ def free_axes(study, runs):
             if study.axes[n]["kind"] != "texts"
             and len({r["axes"].get(n) for r in runs} - {None}) > 2
             and not study.refines(n)]
+
+
+def name_among(study, run, others, draws=True):
+    """What tells a run from others: its series, and the axes that vary in
+    it."""
+    parts = []
+    if len({r["series"] for r in others}) > 1:
+        parts.append(study.title_of(run["series"]))
+    alike = [r for r in others if r["series"] == run["series"]]
+    parts += [study.name_of(a, run) for a in run["axes"]
+              if len({r["axes"].get(a) for r in alike}) > 1
+              and study.axes[a]["together_with"] not in study.axes
+              and (draws or a not in study.random_axes())]
+    return ", ".join(parts) or study.title_of(run["series"])
 
 
 def runs_with(study, quantity):

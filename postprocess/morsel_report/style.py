@@ -1,6 +1,7 @@
 """Numbers and colours as the whole report shows them."""
 import io
 import math
+import re
 
 import matplotlib
 
@@ -72,9 +73,10 @@ def prefix_of(largest, unit):
 
 def pretty_unit(unit):
     """A unit for people: m^2 as m², 1/sqrt(mm) with its root sign."""
-    for plain, nice in (("^2", "²"), ("^3", "³"), ("^4", "⁴"),
-                        ("sqrt(mm)", "√mm"), ("sqrt(m)", "√m")):
-        unit = unit.replace(plain, nice)
+    for power, sign in (("^2", "²"), ("^3", "³"), ("^4", "⁴")):
+        unit = unit.replace(power, sign)
+    unit = re.sub(r"sqrt\((\w+)\)", r"√\1", unit)
+    unit = re.sub(r"\bu(?=[mNPJsg])", "µ", unit)
     return "" if unit == "1" else unit
 
 
@@ -112,6 +114,16 @@ def quantity(value, unit, significant=4):
     return number + ("\u202f" + name if name else "")
 
 
+def duration(seconds):
+    """A time for people: 3.20 s, 4 min 10 s, 2 h 5 min."""
+    if seconds < 60:
+        return quantity(seconds, "s", 3)
+    minutes, rest = divmod(round(seconds), 60)
+    if minutes < 60:
+        return f"{minutes}\u202fmin {rest}\u202fs"
+    return f"{minutes // 60}\u202fh {minutes % 60}\u202fmin"
+
+
 def is_share(name, unit):
     """Whether a dimensionless result reads better in percent."""
     return unit == "1" and (
@@ -119,14 +131,63 @@ def is_share(name, unit):
         or "_error_" in name or "_over_strain_" in name)
 
 
+def plain(value):
+    """A number as publications state it: without closing zeros."""
+    text = digits(value, 6)
+    return text.rstrip("0").rstrip(".") if (
+        "." in text and "·" not in text) else text
+
+
+def measured(value, deviation=None):
+    """"12.34 ± 0.56": a number, and how it scatters."""
+    if not deviation:
+        return digits(value)
+    if not (1e-3 <= deviation and abs(value) < 1e6):
+        return f"{digits(value)} ± {digits(deviation, 2)}"
+    places = max(0, 1 - math.floor(math.log10(deviation)))
+    return f"{value:.{places}f} ± {deviation:.{places}f}".replace("-", "−")
+
+
+def shift(value):
+    """A difference with its sign."""
+    return f"{value:+.2f}".replace("-", "−")
+
+
+def difference(share):
+    """A relative difference with its sign; a factor where it is large."""
+    if share >= 9:
+        return f"{digits(1 + share, 3)} times"
+    sign = "+" if share > 0 else "−" if share < 0 else ""
+    return sign + percent(abs(share))
+
+
+def legend_above(figure, handles, labels, columns):
+    """A legend above the axes, in rows for which room is made."""
+    rows = math.ceil(len(labels) / columns)
+    room = (0.096 + 0.264 * rows) / figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - room))
+    figure.legend(handles, labels, loc="upper center", ncol=columns)
+
+
+# What reading entries that are missing, or not what they should be, raises.
+BROKEN = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
+
+
+def problem_of(error):
+    """What went wrong, for a note."""
+    if isinstance(error, KeyError):
+        return f"{error} is missing"
+    return str(error) or type(error).__name__
+
+
 def picture(make, *arguments):
     """(PNG, None) of the figure that make(*arguments) draws, (None, None) if
     there is nothing to draw, (None, what went wrong) if it cannot."""
     try:
         figure = make(*arguments)
-    except (ValueError, IndexError, KeyError, TypeError) as error:
+    except BROKEN as error:
         plt.close("all")
-        return None, str(error)
+        return None, problem_of(error)
     if figure is None:
         return None, None
     buffer = io.BytesIO()

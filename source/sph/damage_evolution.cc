@@ -153,8 +153,9 @@ namespace Morsel::SPH
 
 
   const std::vector<unsigned int> &
-  DamageEvolution::update(const double time_step)
+  DamageEvolution::update(const double coming_step)
   {
+    time_step = coming_step;
     newly_failed.clear();
 
     // With the tensile cut-off everywhere this bounds every average from
@@ -172,7 +173,7 @@ namespace Morsel::SPH
         [&](unsigned int begin, unsigned int end) {
           for (unsigned int g = begin; g < end; ++g)
             if (may_grow(g))
-              grow(arrays, g, time_step);
+              grow(arrays, g);
         },
         grain);
 
@@ -203,6 +204,7 @@ namespace Morsel::SPH
         newly_failed.insert(newly_failed.end(), batch.begin(), batch.end());
         settle_touched();
       }
+    gradient_of_doomed.clear();
     for (const unsigned int i : newly_failed)
       {
         const unsigned int g     = i / group_size;
@@ -232,9 +234,7 @@ namespace Morsel::SPH
 
 
   void
-  DamageEvolution::grow(const BondedArrays &arrays,
-                        const unsigned int  g,
-                        const double        time_step)
+  DamageEvolution::grow(const BondedArrays &arrays, const unsigned int g)
   {
     double drivers[group_size];
     if (average_stress)
@@ -276,28 +276,49 @@ namespace Morsel::SPH
     const double old = particles.damage[i];
     if (new_damage <= old)
       return;
-    const double D        = new_damage >= failure_damage ? 1. : new_damage;
-    const auto   response = response_at(particles, material, linear_law, i);
-    particles.damage_heat[i] +=
-        particles.volume(i) *
-            (Materials::stored_energy(law.softening, material, response, old) -
-             Materials::stored_energy(law.softening, material, response, D)) +
-        hourglass_stiffness * (D - old) * fit_residual(particles, bonds, i);
+    const double D = new_damage >= failure_damage ? 1. : new_damage;
+    particles.damage_heat[i] += mean_energy(i, old) - mean_energy(i, D);
     particles.damage[i]    = D;
     particles.hourglass[i] = hourglass_stiffness * (1. - D);
   }
 
 
   double
-  DamageEvolution::energy_of(const unsigned int i) const
+  DamageEvolution::energy(const unsigned int        i,
+                          const Materials::Tensor2 &H,
+                          const double              residual,
+                          const double              damage) const
   {
     return particles.volume(i) *
-               Materials::stored_energy(
-                   law.softening,
-                   material,
-                   response_at(particles, material, linear_law, i),
-                   particles.damage[i]) +
-           particles.hourglass[i] * fit_residual(particles, bonds, i);
+               Materials::stored_energy(law.softening,
+                                        material,
+                                        response_to(H, material, linear_law),
+                                        damage) +
+           hourglass_stiffness * (1. - damage) * residual;
+  }
+
+
+  double
+  DamageEvolution::mean_energy(const unsigned int i, const double damage) const
+  {
+    return 0.5 * (energy(i,
+                         particles.gradient[i],
+                         fit_residual(particles, bonds, i),
+                         damage) +
+                  energy(i,
+                         gradient_ahead(i),
+                         fit_residual(particles, bonds, i, time_step),
+                         damage));
+  }
+
+
+  Materials::Tensor2
+  DamageEvolution::gradient_ahead(const unsigned int i) const
+  {
+    const auto doomed = gradient_of_doomed.find(i);
+    return doomed == gradient_of_doomed.end()
+               ? displacement_gradient(particles, bonds, i, time_step)
+               : doomed->second;
   }
 
 
@@ -384,7 +405,8 @@ namespace Morsel::SPH
       return;
     is_touched[i] = 1;
     touched.push_back(i);
-    energy_before.push_back(energy_of(i));
+    energy_before.push_back(mean_energy(i, particles.damage[i]));
+    gradient_before.push_back(gradient_ahead(i));
   }
 
 
@@ -403,14 +425,19 @@ namespace Morsel::SPH
             if (bonds.is_conforming())
               particles.fit_stress[i] = {0., 0., 0., 0.};
             particles.hourglass[i] = 0.;
-            heat_of_bonds += energy_before[t] - energy_of(i);
+            // As a grain it goes on from where its bonds had it go.
+            heat_of_bonds += energy_before[t] -
+                             0.5 * (energy(i, particles.gradient[i], 0., 1.) +
+                                    energy(i, gradient_before[t], 0., 1.));
             continue;
           }
         const Symmetric2 m = bonds.moment(i);
         if (smaller_eigenvalue(m) < smallest_moment * bonds.full_moment)
           {
             // Its energy is released when it fails, right after this.
-            heat_of_bonds += energy_before[t] - energy_of(i);
+            gradient_of_doomed[i] = gradient_before[t];
+            heat_of_bonds +=
+                energy_before[t] - mean_energy(i, particles.damage[i]);
             release_damage(i, 1.);
             failed_now.push_back(i);
             continue;
@@ -420,9 +447,10 @@ namespace Morsel::SPH
         else
           particles.shape[i] = inverse(m);
         particles.gradient[i] = displacement_gradient(particles, bonds, i);
-        heat_of_bonds += energy_before[t] - energy_of(i);
+        heat_of_bonds += energy_before[t] - mean_energy(i, particles.damage[i]);
       }
     touched.clear();
     energy_before.clear();
+    gradient_before.clear();
   }
 } // namespace Morsel::SPH

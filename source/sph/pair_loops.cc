@@ -39,11 +39,17 @@ namespace Morsel::SPH
 
   namespace
   {
-    Vector2
-    displacement(const Motion &m)
+    /// Displacement after a time, at the present velocity.
+    struct Displacement
     {
-      return {m.u_x, m.u_y};
-    }
+      double ahead; ///< [s]
+
+      Vector2
+      operator()(const Motion &m) const
+      {
+        return {m.u_x + ahead * m.v_x, m.u_y + ahead * m.v_y};
+      }
+    };
 
 
     Vector2
@@ -125,9 +131,10 @@ namespace Morsel::SPH
   Tensor2
   displacement_gradient(const Particles   &p,
                         const Bonds       &bonds,
-                        const unsigned int i)
+                        const unsigned int i,
+                        const double       ahead)
   {
-    return gradient(p, bonds, i, displacement);
+    return gradient(p, bonds, i, Displacement{ahead});
   }
 
 
@@ -149,31 +156,46 @@ namespace Morsel::SPH
 
 
   Materials::ElasticResponse
-  response_at(const Particles             &p,
+  response_to(const Tensor2               &H,
               const Materials::Elasticity &material,
-              const bool                   linear_law,
-              const unsigned int           i)
+              const bool                   linear_law)
   {
-    const Tensor2 F = deformation_gradient(p.gradient[i]);
+    const Tensor2 F = deformation_gradient(H);
     return linear_law ? Materials::linear_elastic(material, F)
                       : Materials::neo_hookean(material, F);
   }
 
 
-  double
-  fit_residual(const Particles &p, const Bonds &bonds, const unsigned int i)
+  Materials::ElasticResponse
+  response_at(const Particles             &p,
+              const Materials::Elasticity &material,
+              const bool                   linear_law,
+              const unsigned int           i)
   {
-    const Tensor2 H =
+    return response_to(p.gradient[i], material, linear_law);
+  }
+
+
+  double
+  fit_residual(const Particles   &p,
+               const Bonds       &bonds,
+               const unsigned int i,
+               const double       ahead)
+  {
+    const Displacement displacement{ahead};
+    const Tensor2      H =
         p.fit.empty()
-            ? p.gradient[i]
-            : product(weighted_moment(p, bonds, i, displacement), p.fit[i]);
-    double sum = 0.;
+                 ? (ahead == 0. ? p.gradient[i]
+                                : displacement_gradient(p, bonds, i, ahead))
+                 : product(weighted_moment(p, bonds, i, displacement), p.fit[i]);
+    const Vector2 own = displacement(p.motion[i]);
+    double        sum = 0.;
     for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
       {
-        const Motion &j = p.motion[bonds.list.index[k]];
+        const Vector2 u = displacement(p.motion[bonds.list.index[k]]);
         const double  X = bonds.dx[k], Y = bonds.dy[k];
-        const double  e_x = j.u_x - p.motion[i].u_x - H.xx * X - H.xy * Y;
-        const double  e_y = j.u_y - p.motion[i].u_y - H.yx * X - H.yy * Y;
+        const double  e_x = u.x - own.x - H.xx * X - H.xy * Y;
+        const double  e_y = u.y - own.y - H.yx * X - H.yy * Y;
         sum += bonds.weight[k] * (e_x * e_x + e_y * e_y);
       }
     return 0.25 * p.volume(i) * sum;

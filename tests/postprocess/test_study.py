@@ -1,88 +1,21 @@
 """The page of a study, from a small study.json."""
 import contextlib
 import io
-import json
 import pathlib
 import sys
-import tempfile
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
 sys.path.insert(0, str(HERE.parent.parent / "postprocess"))
 
 import report
+from studies import (PageTest, a_food_study, a_run, a_study, an_axis,
+                     without_figures)
 
 
-def a_run(series, n, error, status="finished"):
-    """One run: error of K at n cells."""
-    done = status == "finished"
-    return {"series": series, "axes": {"n": n, "theta": 30.0},
-            "status": status, "message": "" if done else
-            "status 2: the radius is too large", "kept": False,
-            "folder": f"runs/{series}{n}", "resolution": n if done else None,
-            "quantities": {"K": {"value": 1 + error if done else None,
-                                 "truth": 1.0 if done else None,
-                                 "error": error if done else None}},
-            "time": 1e-3 * n if done else None,
-            "time_low": 0.9e-3 * n if done else None,
-            "time_high": 1.2e-3 * n if done else None, "repetitions": 3,
-            "wall_time": 1.0, "cpu_time": 0.5,
-            "memory": 1e8 + 1e4 * n ** 2 if done else None,
-            "unknowns": 2 * n ** 2 if done else None}
-
-
-def an_axis(label, kind="numbers"):
-    """An axis of study.json."""
-    return {"label": label, "unit": "1", "kind": kind, "together_with": ""}
-
-
-def a_study(**more):
-    """Two series, four meshes; second order and fourth order."""
-    runs = [a_run("p1", n, n ** -2.0) for n in (10, 20, 40, 80)]
-    runs += [a_run("p2", n, n ** -4.0) for n in (10, 20, 40)]
-    document = {
-        "name": "test", "title": "A small study", "study": "s.prm",
-        "program_version": "0.1.0", "timing": True, "threads": 1,
-        "resolution": {"formula": "n", "label": "cells along a side"},
-        "axes": {"n": an_axis("cells along a side"),
-                 "theta": an_axis("angle")},
-        "series": [{"name": "p1", "title": "p = 1", "base_scene": "a.prm"},
-                   {"name": "p2", "title": "p = 2", "base_scene": "a.prm"}],
-        "quantities": {"K": {"label": "K_I", "unit": "Pa sqrt(m)",
-                             "meaning": "by rings", "truth": "formula",
-                             "truth_formula": "1", "truth_accuracy": 1e-7,
-                             "error_scale": 0}},
-        "runs": runs,
-        "rates": [{"quantity": "K", "series": "p1", "at": {"theta": "30"},
-                   "rate": 2.0, "low": 1.9, "high": 2.1, "constant": 1.0,
-                   "points": 4}],
-        "pareto_fronts": [{"quantity": "K", "cost": "time", "runs": [4, 5]}],
-        "time_to_reach": [
-            {"quantity": "K", "series": "p2", "levels": [
-                {"error": 0.1, "kind": "at most", "time": 0.01},
-                {"error": 0.0001, "kind": "interpolated", "time": 0.015}]},
-            {"quantity": "K", "series": "p1", "levels": [
-                {"error": 0.1, "kind": "at most", "time": 0.02},
-                {"error": 0.0001, "kind": "not reached", "time": None}]}],
-        "statistics": []}
-    document.update(more)
-    return document
-
-
-class StudyTest(unittest.TestCase):
-    """Each test has a folder of its own."""
-
-    def page_of(self, document):
-        """Makes the report of a study; its text and its figures."""
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        folder = pathlib.Path(temporary.name)
-        (folder / "study.json").write_text(json.dumps(document),
-                                           encoding="utf-8")
-        with contextlib.redirect_stdout(io.StringIO()):
-            self.assertEqual(report.main([str(folder)]), 0)
-        figures = {f.stem for f in (folder / "figures").glob("*.png")}
-        return (folder / "report.html").read_text(encoding="utf-8"), figures
+class StudyTest(PageTest):
+    """What varies calls for figures."""
 
     def test_convergence_and_cost(self):
         page, figures = self.page_of(a_study())
@@ -156,13 +89,44 @@ class StudyTest(unittest.TestCase):
         self.assertEqual(figures, {"draws_K"})
         self.assertNotIn("could not be drawn", page)
 
+    def test_draws_of_several_settings(self):
+        page, figures = self.page_of(a_food_study())
+        self.assertEqual(figures, {"draws_by_setting_performance",
+                                   "relation_performance_over_E"})
+        self.assertNotIn("could not be drawn", page)
+
+    def test_old_figures_do_not_stay(self):
+        (self.folder / "figures").mkdir()
+        for name in ("relation_old", "picture_old_1", "figure_old", "other"):
+            (self.folder / "figures" / f"{name}.png").write_bytes(b"old")
+        _, figures = self.page_of(a_study())
+        self.assertEqual(figures, {"convergence_K", "work_precision_K",
+                                   "other"})
+
+    def test_quick_setting(self):
+        self.assertNotIn("quick setting", self.page_of(without_figures())[0])
+        self.assertIn("quick setting",
+                      self.page_of(without_figures(quick=True))[0])
+
+    def test_missing_and_broken_members(self):
+        page, _ = self.page_of(without_figures(
+            rates=5, claims=[3], statistics=None, figures={},
+            relations="none"))
+        for name in ("rates", "claims", "figures", "relations"):
+            self.assertIn(f"study.json: &#x27;{name}&#x27; cannot be read",
+                          page)
+        bare = without_figures()
+        for name in ("rates", "pareto_fronts", "time_to_reach", "statistics",
+                     "timing", "resolution", "title", "program_version"):
+            bare.pop(name)
+        self.assertIn("7 of 7 runs finished", self.page_of(bare)[0])
+
     def test_unreadable(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        (pathlib.Path(temporary.name) / "study.json").write_text("{")
-        with contextlib.redirect_stderr(io.StringIO()) as error:
-            self.assertEqual(report.main([temporary.name]), 2)
-        self.assertEqual(error.getvalue().count("\n"), 1)
+        for text in ("{", "[]", "{}", '{"runs": 3}'):
+            (self.folder / "study.json").write_text(text)
+            with contextlib.redirect_stderr(io.StringIO()) as error:
+                self.assertEqual(report.main([str(self.folder)]), 2)
+            self.assertEqual(error.getvalue().count("\n"), 1)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@
 #include <morsel/sph/pair_loops.h>
 #include <morsel/sph/particles.h>
 
+#include <map>
 #include <vector>
 
 namespace Morsel::SPH
@@ -38,6 +39,10 @@ namespace Morsel::SPH
 
     /// Damage growth over one step from the present stress; then cuts the
     /// bonds of what has failed. Returns the particles that failed now.
+    ///
+    /// The step goes from the forces of before to those of after: the energy
+    /// that work and motion see leave the body is the mean of what the change
+    /// releases at the step's two ends, which is what the heats hold.
     const std::vector<unsigned int> &
     update(double time_step);
 
@@ -85,7 +90,7 @@ namespace Morsel::SPH
     may_grow(unsigned int group) const;
 
     void
-    grow(const BondedArrays &arrays, unsigned int group, double time_step);
+    grow(const BondedArrays &arrays, unsigned int group);
 
     void
     break_up();
@@ -93,8 +98,23 @@ namespace Morsel::SPH
     void
     release_damage(unsigned int i, double new_damage);
 
+    /// Energy of particle i with this damage [J] at a gradient and fit
+    /// residual.
     double
-    energy_of(unsigned int i) const;
+    energy(unsigned int              i,
+           const Materials::Tensor2 &H,
+           double                    residual,
+           double                    damage) const;
+
+    /// Energy of particle i with this damage [J], the mean of now and of the
+    /// end of the coming step.
+    double
+    mean_energy(unsigned int i, double damage) const;
+
+    /// H_i at the end of the coming step [1]; as it was before cuts for a
+    /// particle that is to fail now, whose bonds do not span the plane.
+    Materials::Tensor2
+    gradient_ahead(unsigned int i) const;
 
     void
     fail(unsigned int i);
@@ -128,12 +148,17 @@ namespace Morsel::SPH
 
     std::vector<unsigned int> newly_failed, failed_now, touched, suspects;
     std::vector<double>       energy_before;
-    std::vector<char>         is_touched, exposed;
-    std::vector<char>         is_direct; ///< entries of bonds
-    std::vector<double>       contact_diameter;
-    double                    heat_of_bonds = 0.;
-    double                    failed_area   = 0.; ///< [m^2]
-    const double              total_area;
+    /// Gradients of touched particles at the end of the coming step, had
+    /// nothing been cut.
+    std::vector<Materials::Tensor2>            gradient_before;
+    std::map<unsigned int, Materials::Tensor2> gradient_of_doomed;
+    std::vector<char>                          is_touched, exposed;
+    std::vector<char>                          is_direct; ///< entries of bonds
+    std::vector<double>                        contact_diameter;
+    double       time_step     = 0.; ///< the coming one [s]
+    double       heat_of_bonds = 0.;
+    double       failed_area   = 0.; ///< [m^2]
+    const double total_area;
 
     // For each group of particles.
     NeighbourList       groups_nearby;

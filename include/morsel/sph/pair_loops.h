@@ -20,10 +20,13 @@ namespace Morsel::SPH
   renew_conforming(Particles &particles, const Bonds &bonds, unsigned int i);
 
   /// H_i at the present displacements [1], as the kernels form it.
+  /// @param ahead time by which the displacements go on at the present
+  ///   velocities [s]
   Materials::Tensor2
   displacement_gradient(const Particles &particles,
                         const Bonds     &bonds,
-                        unsigned int     i);
+                        unsigned int     i,
+                        double           ahead = 0.);
 
   /// The same of the present velocities: dH_i/dt [1/s].
   Materials::Tensor2
@@ -38,10 +41,20 @@ namespace Morsel::SPH
               bool                         linear_law,
               unsigned int                 i);
 
+  /// Elastic response to a displacement gradient H [1].
+  Materials::ElasticResponse
+  response_to(const Materials::Tensor2    &H,
+              const Materials::Elasticity &material,
+              bool                         linear_law);
+
   /// Energy of the residual of the local linear fit of particle @p i at unit
   /// hourglass stiffness [m^3]; times (alpha E (1 - D)) it is in joules.
+  /// @param ahead as for displacement_gradient()
   double
-  fit_residual(const Particles &particles, const Bonds &bonds, unsigned int i);
+  fit_residual(const Particles &particles,
+               const Bonds     &bonds,
+               unsigned int     i,
+               double           ahead = 0.);
 } // namespace Morsel::SPH
 
 #endif
