@@ -1,5 +1,6 @@
 #include "static_run.h"
 
+#include "costs.h"
 #include "experiment_recorder.h"
 #include "run_summary.h"
 #include "tip_summary.h"
@@ -319,18 +320,33 @@ namespace Morsel
   }
 
 
-  std::string
-  describe_static(const Scene::Scene &scene)
+  Prediction
+  predict_static(const Scene::Scene &scene)
   {
-    std::ostringstream text;
-    text << "Scene '" << scene.name << "' is sound. Effects:\n"
-         << Output::effects_as_text(effects_of(scene));
-    double n = 0.;
+    Prediction prediction;
+    prediction.scene   = scene.name;
+    prediction.effects = Output::effects_as_text(effects_of(scene));
+    prediction.advice  = scene.warnings;
+    const Costs  costs;
+    const double factor = costs.machine_factor(Workload::static_particles);
+    double       n      = 0.;
     for (const auto &body : make_bodies(scene))
-      n += body->get_results().n_particles;
-    // Measured on 10,000 particles: time and memory grow in proportion.
-    text << "Particles        " << n << '\n'
-         << "Predicted time   about " << 3.5e-4 * n << " s on one core\n";
-    return text.str();
+      {
+        const Sizes sizes = {{"particles", body->get_results().n_particles},
+                             {"relaxations", body->get_cloud().n_relaxations}};
+        n += sizes.at("particles");
+        prediction.seconds +=
+            factor * costs.of("particle body solution", "seconds", sizes);
+        if (scene.output.fields)
+          prediction.seconds +=
+              factor * costs.of("particle body fields", "seconds", sizes);
+      }
+    prediction.seconds += start_time();
+    prediction.unknowns = 2. * n;
+    prediction.bytes =
+        costs.of("particle body solution", "bytes", {{"particles", n}});
+    prediction.count("Particles", n);
+    prediction.basis = recorded_basis;
+    return prediction;
   }
 } // namespace Morsel

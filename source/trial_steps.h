@@ -1,0 +1,66 @@
+#ifndef morsel_source_trial_steps_h
+#define morsel_source_trial_steps_h
+
+#include <morsel/prediction.h>
+#include <morsel/scene/scene.h>
+
+#include <chrono>
+
+namespace Morsel
+{
+  /// Mean wall time of a step [s] of a system that has not begun, from steps
+  /// that are thrown away: some that warm up, then as many as fit into two
+  /// thirds of a second, but no more than the run has. Ranks agree on their
+  /// number, since steps are collective.
+  template <typename System>
+  double
+  trial_step_time(System &system, double steps_of_run);
+
+
+  /// Adds what a run of steps takes besides: the program's start, samples and
+  /// frames, memory, from recorded costs.
+  /// @param seconds of all steps
+  void
+  predict_steps(Prediction         &prediction,
+                const Scene::Scene &scene,
+                double              n_particles,
+                double              seconds);
+
+
+  template <typename System>
+  double
+  trial_step_time(System &system, const double steps_of_run)
+  {
+    using Clock        = std::chrono::steady_clock;
+    const auto advance = [&system](const unsigned int n) {
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          system.advance();
+          system.evaluate();
+        }
+    };
+    const auto time_of = [&advance](const unsigned int n) {
+      const auto begin = Clock::now();
+      advance(n);
+      return dealii::Utilities::MPI::max(
+          std::chrono::duration<double>(Clock::now() - begin).count(),
+          MPI_COMM_WORLD);
+    };
+    system.evaluate();
+    constexpr double duration = 2. / 3.; // [s]
+    const double     warm_up  = std::min(10., steps_of_run);
+    const double     first    = time_of(warm_up) / std::max(1., warm_up);
+    if (steps_of_run <= 2. * warm_up)
+      return first;
+    // In portions, since the first step's time is no measure of the next.
+    double time = 0., n = 0.;
+    while (time < duration && n < steps_of_run)
+      {
+        time += time_of(10);
+        n += 10.;
+      }
+    return time / n;
+  }
+} // namespace Morsel
+
+#endif
