@@ -7,6 +7,7 @@
 #include <morsel/plan/plan.h>
 #include <morsel/scene/read.h>
 #include <morsel/simulation.h>
+#include <morsel/study/collection.h>
 #include <morsel/study/run_study.h>
 #include <morsel/study/study.h>
 
@@ -33,6 +34,11 @@ namespace
   void
   run(const CommandLine &command_line)
   {
+    if (Study::is_collection(command_line.scene_file))
+      {
+        Study::run_collection(command_line);
+        return;
+      }
     if (Study::is_study(command_line.scene_file))
       {
         if (!command_line.plan.empty())
@@ -96,6 +102,13 @@ main(int argc, char **argv)
     FirstRank first_rank;
     if (!command_line.message.empty())
       first_rank.run([&] { std::cout << command_line.message; });
+    else if (!command_line.print_parameters.empty() &&
+             Study::is_collection(command_line.scene_file))
+      first_rank.run([&] {
+        std::cout << Study::collection_parameters(command_line.print_parameters,
+                                                  command_line.scene_file,
+                                                  command_line.overrides);
+      });
     else if (!command_line.print_parameters.empty() &&
              Study::is_study(command_line.scene_file))
       first_rank.run([&] {

@@ -8,6 +8,8 @@ page()
   "$1" --print-parameters md
   printf '\n# Studies\nHow a study is written: [studies.md](studies.md).\n'
   "$1" --print-parameters md "$here/study/sections.prm"
+  printf '\n# Collections of studies\n'
+  "$1" --print-parameters md "$here/study/collection.prm"
 }
 if [ "${3:-}" = --repair ]; then
   page "$1" >"$2"

@@ -1,6 +1,5 @@
 #include <morsel/study/analysis.h>
-
-#include <boost/math/distributions/students_t.hpp>
+#include <morsel/study/regression.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,35 +34,17 @@ namespace Morsel::Study
           x.push_back(std::log(resolution[i]));
           y.push_back(std::log(error[i]));
         }
-    const double n = x.size();
-    if (x.size() < 2)
+    const auto line = fit_line(x, y);
+    if (!line)
       return std::nullopt;
-    const double mean_x = std::accumulate(x.begin(), x.end(), 0.) / n;
-    const double mean_y = std::accumulate(y.begin(), y.end(), 0.) / n;
-    double       xx = 0., xy = 0.;
-    for (std::size_t i = 0; i < x.size(); ++i)
+    RateFit fit;
+    fit.rate     = -line->slope;
+    fit.constant = std::exp(line->intercept);
+    fit.n_points = line->n_points;
+    if (line->slope_interval)
       {
-        xx += (x[i] - mean_x) * (x[i] - mean_x);
-        xy += (x[i] - mean_x) * (y[i] - mean_y);
-      }
-    if (!(xx > 1e-20 * (1. + mean_x * mean_x)))
-      return std::nullopt;
-
-    RateFit      fit;
-    const double slope = xy / xx;
-    fit.rate           = -slope;
-    fit.constant       = std::exp(mean_y - slope * mean_x);
-    fit.n_points       = x.size();
-    if (x.size() > 2)
-      {
-        double rest = 0.;
-        for (std::size_t i = 0; i < x.size(); ++i)
-          rest += std::pow(y[i] - mean_y - slope * (x[i] - mean_x), 2);
-        const boost::math::students_t distribution(n - 2.);
-        const double half = boost::math::quantile(distribution, 0.975) *
-                            std::sqrt(rest / (n - 2.) / xx);
-        fit.low  = fit.rate - half;
-        fit.high = fit.rate + half;
+        fit.low  = -line->slope_interval->high;
+        fit.high = -line->slope_interval->low;
       }
     return fit;
   }

@@ -60,6 +60,11 @@ namespace Morsel::Study
       prm.add_parameter("Keep fields",
                         study.keep_fields,
                         "Keep the folder 'solution' of every run.");
+      prm.add_parameter("Quick",
+                        study.quick,
+                        "A smaller study for a first look: axes take their "
+                        "'Quick values' or 'Quick count', series add their "
+                        "'Quick entries'.");
       prm.leave_subsection();
     }
 
@@ -100,6 +105,14 @@ namespace Morsel::Study
                         axis.partner,
                         "Axis of as many values that this one goes along with; "
                         "else all combinations are run.");
+      prm.add_parameter("Quick values",
+                        axis.quick_values,
+                        "Values of a quick study; those of Values if empty.");
+      prm.add_parameter("Quick count",
+                        axis.quick_count,
+                        "Number of values of a range, of draws or seeds in a "
+                        "quick study [1]; 0: Count.",
+                        Patterns::Integer(0));
       prm.add_parameter("Label", axis.label, "For figures; the name if empty.");
       prm.add_parameter("Unit", axis.unit, "Unit, for figures.");
       prm.leave_subsection();
@@ -123,6 +136,9 @@ namespace Morsel::Study
                         series.entries,
                         "'Section/Key = text' separated by semicolons, with "
                         "formulas of the axes in braces.");
+      prm.add_parameter("Quick entries",
+                        series.quick_entries,
+                        "What a quick study sets after Entries.");
       prm.leave_subsection();
     }
 
@@ -168,6 +184,103 @@ namespace Morsel::Study
                         "Errors are divided by this [unit of the quantity]; 0: "
                         "by the truth's magnitude.",
                         Patterns::Double(0.));
+      prm.add_parameter("Drawn",
+                        quantity.drawn,
+                        "Whether figures of this quantity are drawn.");
+      prm.leave_subsection();
+    }
+
+
+    void
+    declare_relation(Relation &relation, dealii::ParameterHandler &prm)
+    {
+      prm.enter_subsection("Relation " + relation.name);
+      prm.add_parameter(
+          "Label", relation.label, "For figures; the name if empty.");
+      prm.add_parameter(
+          "x", relation.x, "Quantity of the study on the horizontal axis.");
+      prm.add_parameter("y",
+                        relation.y,
+                        "Quantity of the study whose straight line over x is "
+                        "fitted, one for each series, means of draws taken "
+                        "for points.");
+      prm.add_parameter("Expected correlation",
+                        relation.expected_correlation,
+                        "Correlation coefficient to compare with [1]; empty: "
+                        "none.",
+                        Patterns::Anything());
+      prm.add_parameter("Expected points",
+                        relation.expected_points,
+                        "Points that the expected correlation rests on [1]; 0: "
+                        "not known, so that no test is possible.",
+                        Patterns::Integer(0));
+      prm.add_parameter(
+          "Source", relation.source, "Where the expected correlation is from.");
+      prm.leave_subsection();
+    }
+
+
+    void
+    declare_claim(Claim &claim, dealii::ParameterHandler &prm)
+    {
+      prm.enter_subsection("Claim " + claim.name);
+      prm.add_parameter("Source", claim.source, "Where it is stated.");
+      prm.add_parameter("Says", claim.says, "What is stated, in words.");
+      prm.add_parameter("Value",
+                        claim.value,
+                        "The number stated [unit of the quantity]; empty: "
+                        "words only.");
+      prm.add_parameter("Quantity",
+                        claim.quantity,
+                        "Ours is this quantity of the study; empty: no number "
+                        "of ours.");
+      prm.add_parameter("Relation",
+                        claim.relation,
+                        "Instead of a quantity: ours is the correlation of "
+                        "this relation.");
+      prm.add_parameter("Series",
+                        claim.series,
+                        "Ours is of this series; may be left out if there is "
+                        "only one.");
+      prm.add_parameter("At",
+                        claim.at,
+                        "Ours is of the run with these values of axes, 'n = "
+                        "60; a = 0.1', with draws averaged; empty: of the "
+                        "largest resolution.");
+      prm.add_parameter(
+          "Finding", claim.finding, "What the study finds, in words.");
+      prm.add_parameter("Why", claim.why, "Why the two differ.");
+      prm.leave_subsection();
+    }
+
+
+    void
+    declare_figure(Figure &figure, dealii::ParameterHandler &prm)
+    {
+      prm.enter_subsection("Figure " + figure.name);
+      prm.add_parameter("Kind",
+                        figure.kind,
+                        "'history' are curves from the runs' history.csv, "
+                        "'picture' is a figure of the runs' own reports, side "
+                        "by side (fields need 'Study/Keep fields').",
+                        Patterns::Selection("history|picture"));
+      prm.add_parameter("Title", figure.title, "Of the figure.");
+      prm.add_parameter("Caption", figure.caption, "Below the figure.");
+      prm.add_parameter("x",
+                        figure.x,
+                        "Column of history.csv with its unit, as it stands in "
+                        "the file's first line.");
+      prm.add_parameter("y", figure.y, "Columns over it, separated by commas.");
+      prm.add_parameter("Picture",
+                        figure.picture,
+                        "Name of the runs' figure, without '.png'.");
+      prm.add_parameter("Series",
+                        figure.series,
+                        "Only runs of these series, separated by commas.");
+      prm.add_parameter("Where",
+                        figure.where,
+                        "Only runs with these values of axes, 'seed = 1; food "
+                        "= peanut'.");
       prm.leave_subsection();
     }
   } // namespace
@@ -183,5 +296,11 @@ namespace Morsel::Study
       declare_series(series, prm);
     for (Quantity &quantity : study.quantities)
       declare_quantity(quantity, prm);
+    for (Relation &relation : study.relations)
+      declare_relation(relation, prm);
+    for (Claim &claim : study.claims)
+      declare_claim(claim, prm);
+    for (Figure &figure : study.figures)
+      declare_figure(figure, prm);
   }
 } // namespace Morsel::Study

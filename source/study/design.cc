@@ -250,6 +250,34 @@ namespace Morsel::Study
   } // namespace
 
 
+  bool
+  has_value(const PlannedRun  &run,
+            const std::string &axis,
+            const std::string &value)
+  {
+    const auto number = run.numbers.find(axis);
+    if (number == run.numbers.end())
+      {
+        const auto text = run.texts.find(axis);
+        return text != run.texts.end() && text->second == value;
+      }
+    const auto wanted = number_in(value);
+    return wanted && std::abs(*wanted - number->second) <=
+                         1e-9 * std::max(1., std::abs(number->second));
+  }
+
+
+  std::map<std::string, std::string>
+  setting_of(const Study &study, const PlannedRun &run)
+  {
+    std::map<std::string, std::string> setting;
+    for (const auto &[axis, text] : run.texts)
+      if (!study.find_axis(axis)->is_random())
+        setting[axis] = text;
+    return setting;
+  }
+
+
   std::vector<std::string>
   values_of(const Study &study, const Axis &axis)
   {

@@ -1,6 +1,7 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/study/analysis.h>
+#include <morsel/study/claims.h>
 #include <morsel/study/evaluation.h>
 
 #include <algorithm>
@@ -58,15 +59,7 @@ namespace Morsel::Study
     {
       if (quantity.truth_axis == "series")
         return study.series[run.series].name == key;
-      const auto number = run.numbers.find(quantity.truth_axis);
-      if (number == run.numbers.end())
-        {
-          const auto text = run.texts.find(quantity.truth_axis);
-          return text != run.texts.end() && text->second == key;
-        }
-      const auto value = number_in(key);
-      return value && std::abs(*value - number->second) <=
-                          1e-9 * std::max(1., std::abs(number->second));
+      return has_value(run, quantity.truth_axis, key);
     }
 
 
@@ -246,7 +239,8 @@ namespace Morsel::Study
               throw InputError(study.place_of(section + "Truth formula") +
                                ": " + error.what());
             }
-      if (quantity.truth != "table")
+      // A quick study need not take all values that the table has.
+      if (quantity.truth != "table" || study.quick)
         return;
       for (const TableEntry &entry : truth_table(study, quantity))
         if (std::none_of(runs.begin(), runs.end(), [&](const auto &run) {
@@ -286,6 +280,7 @@ namespace Morsel::Study
       check_syntax(study, path, formula);
     for (const Quantity &quantity : study.quantities)
       check_truth(study, quantity, runs);
+    check_claims(study, runs);
   }
 
 

@@ -1,4 +1,6 @@
+#include <morsel/study/claims.h>
 #include <morsel/study/findings.h>
+#include <morsel/study/relations.h>
 #include <morsel/study/results.h>
 
 #include <nlohmann/json.hpp>
@@ -79,7 +81,8 @@ namespace Morsel::Study
               {"truth", quantity.truth},
               {"truth_formula", quantity.truth_formula},
               {"truth_accuracy", quantity.accuracy},
-              {"error_scale", quantity.scale}};
+              {"error_scale", quantity.scale},
+              {"drawn", quantity.drawn}};
         }
       return quantities;
     }
@@ -203,6 +206,7 @@ namespace Morsel::Study
             {"title", study.title},
             {"study", study.file},
             {"program_version", MORSEL_VERSION},
+            {"quick", study.quick},
             {"timing", study.timing},
             {"threads", study.threads},
             {"resolution",
@@ -224,6 +228,9 @@ namespace Morsel::Study
             {"rates", fitted_rates(study, rows)},
             {"pareto_fronts", pareto_fronts(study, rows)},
             {"time_to_reach", times_to_reach(study, rows)},
-            {"statistics", draw_statistics(study, rows)}};
+            {"statistics", draw_statistics(study, rows)},
+            {"relations", relations_json(study, rows)},
+            {"claims", claims_json(study, rows)},
+            {"figures", figures_json(study, rows)}};
   }
 } // namespace Morsel::Study

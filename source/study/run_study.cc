@@ -21,17 +21,6 @@ namespace Morsel::Study
 
   namespace
   {
-    void
-    refuse_several_ranks()
-    {
-      if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1 ||
-          std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
-        throw InputError("A study starts its runs itself: start it without "
-                         "mpirun, and say in 'Study/Side by side' how many "
-                         "runs shall go at a time.");
-    }
-
-
     /// The parameters of every run, and with it the check that all entries are
     /// known and their values allowed.
     std::vector<std::string>
@@ -128,11 +117,11 @@ namespace Morsel::Study
 
     /// Runs what is left, with the results on the disk after every run.
     void
-    carry_out(const Study                   &study,
-              const std::vector<PlannedRun> &runs,
-              Runner                        &runner,
-              const std::string             &folder,
-              RunLog                        &log)
+    carry_out_runs(const Study                   &study,
+                   const std::vector<PlannedRun> &runs,
+                   Runner                        &runner,
+                   const std::string             &folder,
+                   RunLog                        &log)
     {
       const std::vector<Record> &records = runner.get_records();
       const auto                 is_over = [](const Record &record) {
@@ -157,59 +146,99 @@ namespace Morsel::Study
     }
 
 
-    void
+    Outcome
     conclude(const Study                   &study,
              const std::vector<PlannedRun> &runs,
              const std::vector<Record>     &records,
              RunLog                        &log)
     {
-      const auto failed =
-          std::find_if(records.begin(), records.end(), [](const auto &record) {
-            return record.state == Record::State::failed;
-          });
-      const auto n_failed =
-          std::count_if(failed, records.end(), [](const auto &record) {
-            return record.state == Record::State::failed;
-          });
-      if (n_failed == static_cast<long>(records.size()))
+      Outcome       outcome;
+      const Record *failed = nullptr;
+      for (const Record &record : records)
+        {
+          outcome.run_time +=
+              record.wall_time * static_cast<double>(std::max<std::size_t>(
+                                     1, record.times.size()));
+          if (record.state != Record::State::failed)
+            continue;
+          ++outcome.n_failed;
+          if (failed == nullptr)
+            failed = &record;
+        }
+      if (outcome.n_failed == records.size())
         throw NumericalError("No run of the study finished; the first one "
                              "failed with " +
                              failed->message);
       log_rates(log, study, evaluate_runs(study, runs, records));
-      if (n_failed > 0)
-        log.warning(std::to_string(n_failed) + " of " +
+      if (outcome.n_failed > 0)
+        log.warning(std::to_string(outcome.n_failed) + " of " +
                     std::to_string(records.size()) +
                     " runs failed; study.csv says why.");
+      return outcome;
     }
   } // namespace
+
+
+  void
+  refuse_several_ranks()
+  {
+    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1 ||
+        std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
+      throw InputError("A study starts its runs itself: start it without "
+                       "mpirun, and say in 'Study/Side by side' how many "
+                       "runs shall go at a time.");
+  }
+
+
+  PreparedStudy
+  prepare_study(const std::string              &file_name,
+                const std::vector<std::string> &overrides,
+                const unsigned int              threads)
+  {
+    PreparedStudy prepared;
+    prepared.study = read_study(file_name, overrides);
+    if (threads > 0)
+      prepared.study.threads = threads;
+    prepared.runs = plan_runs(prepared.study);
+    check_formulas(prepared.study, prepared.runs);
+    prepared.parameters = parameters_of(prepared.study, prepared.runs);
+    return prepared;
+  }
+
+
+  Outcome
+  carry_out(const PreparedStudy &prepared,
+            const std::string   &folder,
+            const bool           quiet)
+  {
+    const Study &study = prepared.study;
+    prepare_output_directory(folder);
+    RunLog log(folder + "/run.log", quiet, true);
+    log << (study.title.empty() ? study.name : study.title) << '\n';
+    write_atomically(folder + "/used.prm", study.used_parameters);
+    catch_signals();
+    Runner runner(study, prepared.runs, prepared.parameters, folder);
+    carry_out_runs(study, prepared.runs, runner, folder, log);
+    return conclude(study, prepared.runs, runner.get_records(), log);
+  }
 
 
   void
   run_study(const CommandLine &command_line)
   {
     refuse_several_ranks();
-    Study study = read_study(command_line.scene_file, command_line.overrides);
-    if (command_line.run.threads > 0)
-      study.threads = command_line.run.threads;
-    const std::vector<PlannedRun> runs = plan_runs(study);
-    check_formulas(study, runs);
-    const std::vector<std::string> parameters = parameters_of(study, runs);
+    const PreparedStudy prepared = prepare_study(command_line.scene_file,
+                                                 command_line.overrides,
+                                                 command_line.run.threads);
     if (command_line.run.validate_only)
       {
-        std::cout << description_of(study, runs) << std::flush;
+        std::cout << description_of(prepared.study, prepared.runs)
+                  << std::flush;
         return;
       }
-
     const std::string folder = command_line.run.output_directory.empty()
-                                   ? "output/" + study.name
+                                   ? "output/" + prepared.study.name
                                    : command_line.run.output_directory;
-    prepare_output_directory(folder);
-    RunLog log(folder + "/run.log", command_line.run.quiet, true);
-    log << (study.title.empty() ? study.name : study.title) << '\n';
-    write_atomically(folder + "/used.prm", study.used_parameters);
-    catch_signals();
-    Runner runner(study, runs, parameters, folder);
-    carry_out(study, runs, runner, folder, log);
-    conclude(study, runs, runner.get_records(), log);
+    carry_out(prepared, folder, command_line.run.quiet);
   }
 } // namespace Morsel::Study

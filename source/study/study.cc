@@ -1,10 +1,10 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/suggestions.h>
+#include <morsel/study/check.h>
 #include <morsel/study/declare.h>
 #include <morsel/study/study.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <sstream>
 
@@ -31,96 +31,6 @@ namespace Morsel::Study
       return names;
     }
 
-    bool
-    is_identifier(const std::string &text)
-    {
-      return !text.empty() &&
-             std::isdigit(static_cast<unsigned char>(text[0])) == 0 &&
-             std::all_of(text.begin(), text.end(), [](const unsigned char c) {
-               return std::isalnum(c) != 0 || c == '_';
-             });
-    }
-
-    void
-    check_names(const Study &study)
-    {
-      const auto check = [&](const std::string &kind, const std::string &name) {
-        if (!is_identifier(name))
-          throw InputError(study.file + ": The name in the section '" + kind +
-                           " " + name +
-                           "' is not allowed: give letters, digits and "
-                           "underscores, since formulas may use it.");
-      };
-      for (const Axis &axis : study.axes)
-        check("Axis", axis.name);
-      for (const Quantity &quantity : study.quantities)
-        check("Quantity", quantity.name);
-    }
-
-    void
-    check_axis_name(const Study       &study,
-                    const std::string &name,
-                    const std::string &path)
-    {
-      std::vector<std::string> known;
-      for (const Axis &axis : study.axes)
-        known.push_back(axis.name);
-      if (std::find(known.begin(), known.end(), name) == known.end())
-        throw InputError(study.place_of(path) + " names the axis '" + name +
-                         "', which has no section 'Axis " + name + "'." +
-                         did_you_mean(name, known));
-    }
-
-    void
-    check_truth(const Study &study, const Quantity &quantity)
-    {
-      const std::string section = "Quantity " + quantity.name + "/";
-      const auto        need = [&](const char *key, const std::string &value) {
-        if (value.empty())
-          throw InputError(study.place_of(section + "Truth") + " = '" +
-                           quantity.truth + "' needs '" + key +
-                           "', which is missing.");
-      };
-      if (quantity.truth == "formula")
-        need("Truth formula", quantity.truth_formula);
-      if (quantity.truth == "table")
-        {
-          need("Truth axis", quantity.truth_axis);
-          need("Truth table", quantity.truth_table);
-        }
-      if (quantity.truth == "none" &&
-          !(quantity.truth_formula.empty() && quantity.truth_table.empty()))
-        throw InputError(study.place_of(section + "Truth") +
-                         " = 'none', but a truth is given beside it: set "
-                         "'Truth' to 'formula' or 'table'.");
-      for (const std::string &name : list_items(quantity.truth_axis))
-        if (name != "series")
-          check_axis_name(study, name, section + "Truth axis");
-    }
-
-    void
-    check(const Study &study)
-    {
-      check_names(study);
-      if (study.axes.empty())
-        throw InputError(study.file +
-                         ": The study varies nothing; give it a section 'Axis "
-                         "<name>' with 'Values' and 'Entries'.");
-      if (study.quantities.empty())
-        throw InputError(study.file +
-                         ": The study records nothing; name results of "
-                         "summary.json in 'Study/Quantities'.");
-      for (const Axis &axis : study.axes)
-        if (!axis.partner.empty())
-          check_axis_name(
-              study, axis.partner, "Axis " + axis.name + "/Together with");
-      for (const Series &series : study.series)
-        for (const std::string &name : list_items(series.axes))
-          check_axis_name(study, name, "Series " + series.name + "/Axes");
-      for (const Quantity &quantity : study.quantities)
-        check_truth(study, quantity);
-    }
-
     /// The base scene of a series as a path from the working folder.
     std::string
     base_scene_path(const Study &study, const Series &series)
@@ -142,6 +52,23 @@ namespace Morsel::Study
             full.string() + "'." +
             did_you_mean(full.string(), files_beside(full.string())));
       return full.string();
+    }
+
+    void
+    make_quick(Study &study)
+    {
+      for (Axis &axis : study.axes)
+        {
+          if (!axis.quick_values.empty())
+            axis.values = axis.quick_values;
+          if (axis.quick_count > 0)
+            axis.count = axis.quick_count;
+        }
+      for (Series &series : study.series)
+        if (!series.quick_entries.empty())
+          series.entries = series.entries.empty()
+                               ? series.quick_entries
+                               : series.entries + "; " + series.quick_entries;
     }
 
     struct Reading
@@ -182,6 +109,12 @@ namespace Morsel::Study
         study.axes.emplace_back().name = name;
       for (const std::string &name : section_names(study.entries, "Series"))
         study.series.emplace_back().name = name;
+      for (const std::string &name : section_names(study.entries, "Relation"))
+        study.relations.emplace_back().name = name;
+      for (const std::string &name : section_names(study.entries, "Claim"))
+        study.claims.emplace_back().name = name;
+      for (const std::string &name : section_names(study.entries, "Figure"))
+        study.figures.emplace_back().name = name;
       std::vector<std::string> names =
           list_items(last_value(study.entries, "Study/Quantities", ""));
       for (const std::string &name : section_names(study.entries, "Quantity"))
@@ -194,6 +127,7 @@ namespace Morsel::Study
     }
   } // namespace
 
+
   const Axis *
   Study::find_axis(const std::string &axis_name) const
   {
@@ -201,6 +135,26 @@ namespace Morsel::Study
         axes.begin(), axes.end(), [&](auto &a) { return a.name == axis_name; });
     return axis == axes.end() ? nullptr : &*axis;
   }
+
+  std::optional<unsigned int>
+  Study::find_quantity(const std::string &quantity_name) const
+  {
+    for (unsigned int q = 0; q < quantities.size(); ++q)
+      if (quantities[q].name == quantity_name)
+        return q;
+    return std::nullopt;
+  }
+
+
+  std::optional<unsigned int>
+  Study::find_series(const std::string &series_name) const
+  {
+    for (unsigned int s = 0; s < series.size(); ++s)
+      if (series[s].name == series_name)
+        return s;
+    return std::nullopt;
+  }
+
 
   std::string
   Study::place_of(const std::string &path) const
@@ -210,15 +164,23 @@ namespace Morsel::Study
   }
 
   bool
-  is_study(const std::string &file_name)
+  has_section(const std::string &file_name, const std::string &section)
   {
     if (file_name.empty())
       return false;
     const std::vector<ParameterEntry> entries = read_parameter_file(file_name);
-    return std::any_of(entries.begin(), entries.end(), [](const auto &entry) {
-      return entry.section == "Study";
+    return std::any_of(entries.begin(), entries.end(), [&](const auto &entry) {
+      return entry.section == section;
     });
   }
+
+
+  bool
+  is_study(const std::string &file_name)
+  {
+    return has_section(file_name, "Study");
+  }
+
 
   Study
   read_study(const std::string              &file_name,
@@ -227,11 +189,18 @@ namespace Morsel::Study
     Reading reading;
     read(reading, file_name, overrides);
     Study study = reading.study;
-    check(study);
+    if (study.axes.empty() && study.series.empty())
+      throw InputError(file_name +
+                       ": The study varies nothing; give it a section 'Axis "
+                       "<name>' with 'Values' and 'Entries', or sections "
+                       "'Series <name>'.");
     if (study.name.empty())
       study.name = fs::path(file_name).stem().string();
     if (study.series.empty())
       study.series.emplace_back().name = "all";
+    check(study);
+    if (study.quick)
+      make_quick(study);
     for (Series &series : study.series)
       {
         series.base_scene = base_scene_path(study, series);
@@ -248,6 +217,9 @@ namespace Morsel::Study
         if (quantity.label.empty())
           quantity.label = quantity.name;
       }
+    for (Relation &relation : study.relations)
+      if (relation.label.empty())
+        relation.label = relation.name;
     name_base_scenes_absolutely(reading);
     study.used_parameters = parameters_as_prm(reading.prm, false);
     return study;

@@ -94,3 +94,16 @@ grep -q "'stress_intensty_I', which no run gives. Did you mean 'stress_intensity
 [ $? -eq 3 ] || complain "a study without a finished run did not end with 3"
 grep -q 'longer than the time limit' slow/study.csv ||
   complain "the time limit was not told"
+
+# A collection goes on where a part fails, and again where it stopped.
+"$morsel" collection.prm --output all >11.log 2>&1 ||
+  complain "a failed part made the collection fail"
+grep -q '"status": "finished"' all/collection.json &&
+  grep -q '"status": "failed"' all/collection.json ||
+  complain "the parts' fates are not told"
+[ -s all/parts/product/study.csv ] || complain "a part left no results"
+"$morsel" all/used.prm --output all >12.log 2>&1
+grep -q '3 of them kept' 12.log || complain "the collection repeated runs"
+"$morsel" collection.prm --output quick --set Collection/Quick=true >13.log 2>&1
+[ "$(wc -l <quick/parts/product/study.csv)" -eq 3 ] ||
+  complain "the quick setting has not two runs"

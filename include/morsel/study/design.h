@@ -27,6 +27,19 @@ namespace Morsel::Study
   };
 
 
+  /// Whether the run has this value of an axis: the same number, or text.
+  bool
+  has_value(const PlannedRun  &run,
+            const std::string &axis,
+            const std::string &value);
+
+
+  /// The values of the axes that are no draws: runs that differ in no other
+  /// one are draws of the same setting.
+  std::map<std::string, std::string>
+  setting_of(const Study &study, const PlannedRun &run);
+
+
   /// The values of an axis as texts.
   /// @throw InputError if there are none, or one is no number
   std::vector<std::string>

@@ -3,6 +3,7 @@
 
 #include <morsel/core/parameters.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ namespace Morsel::Study
     bool         whole = false;
     std::string  partner;
     std::string  entries;
+    std::string  quick_values;
+    unsigned int quick_count = 0;
 
     /// Whether its values are draws, over which one averages.
     bool
@@ -41,6 +44,7 @@ namespace Morsel::Study
     std::string base_scene; ///< resolved: relative to the working folder
     std::string axes;       ///< names, separated by commas; empty: all
     std::string entries;
+    std::string quick_entries;
   };
 
 
@@ -58,6 +62,51 @@ namespace Morsel::Study
     std::string truth_table;
     double      accuracy = 0.; ///< relative, of the truth
     double      scale    = 0.; ///< of errors; 0: the truth's size
+    bool        drawn    = true;
+  };
+
+
+  /// How one quantity goes with another, draws averaged: section "Relation
+  /// <name>".
+  struct Relation
+  {
+    std::string  name;
+    std::string  label;
+    std::string  x, y;
+    std::string  expected_correlation; ///< a number, or empty
+    unsigned int expected_points = 0;  ///< 0: not known
+    std::string  source;
+  };
+
+
+  /// What a publication states, beside what the study finds: section "Claim
+  /// <name>".
+  struct Claim
+  {
+    std::string name;
+    std::string source;
+    std::string says;
+    std::string value;    ///< a number, or empty
+    std::string quantity; ///< what ours is, in ...
+    std::string relation; ///< or the correlation of this relation, in ...
+    std::string series;   ///< ... this series ...
+    std::string at;       ///< ... at these values of axes
+    std::string finding;
+    std::string why;
+  };
+
+
+  /// A figure of what the runs left: section "Figure <name>".
+  struct Figure
+  {
+    std::string name;
+    std::string kind = "history";
+    std::string title;
+    std::string caption;
+    std::string x, y;    ///< heads of columns of history.csv
+    std::string picture; ///< name of a figure of the runs' own reports
+    std::string series;  ///< names, separated by commas; empty: all
+    std::string where;   ///< values of axes
   };
 
 
@@ -78,10 +127,14 @@ namespace Morsel::Study
     unsigned int threads      = 1;
     double       time_limit   = 0.; ///< [s], 0: none
     bool         keep_fields  = false;
+    bool         quick        = false;
 
     std::vector<Axis>     axes;
     std::vector<Series>   series; ///< at least one
     std::vector<Quantity> quantities;
+    std::vector<Relation> relations;
+    std::vector<Claim>    claims;
+    std::vector<Figure>   figures;
 
     /// Where each entry stands, for messages.
     std::vector<ParameterEntry> entries;
@@ -91,10 +144,40 @@ namespace Morsel::Study
     const Axis *
     find_axis(const std::string &axis_name) const;
 
+    /// Index in quantities.
+    std::optional<unsigned int>
+    find_quantity(const std::string &quantity_name) const;
+
+    /// Index in series.
+    std::optional<unsigned int>
+    find_series(const std::string &series_name) const;
+
     /// "study.prm:12: 'Axis n/Values'", the beginning of a message.
     std::string
     place_of(const std::string &path) const;
   };
+
+
+  /// Values of axes that pick runs: "n = 60; food = peanut".
+  struct AxisValue
+  {
+    std::string axis;
+    std::string value;
+  };
+
+
+  /// Reads such a text.
+  /// @param path of the entry, for messages
+  /// @throw InputError if it has another form or names no axis of the study
+  std::vector<AxisValue>
+  axis_values(const Study       &study,
+              const std::string &path,
+              const std::string &text);
+
+
+  /// Whether the parameter file sets anything in this section.
+  bool
+  has_section(const std::string &file_name, const std::string &section);
 
 
   /// Whether the file is a study: it has a section "Study".
