@@ -89,7 +89,8 @@ namespace Morsel
     predict_steps(prediction,
                   scene,
                   experiment.particle_count(),
-                  trial_step_time(experiment, steps) * steps);
+                  trial_step_time(experiment, steps),
+                  steps);
     return prediction;
   }
 } // namespace Morsel

@@ -34,16 +34,18 @@ namespace
   void
   run(const CommandLine &command_line)
   {
-    if (Study::is_collection(command_line.scene_file))
+    const bool is_collection = Study::is_collection(command_line.scene_file);
+    if (!command_line.plan.empty() &&
+        (is_collection || Study::is_study(command_line.scene_file)))
+      throw InputError("--plan: '" + command_line.scene_file +
+                       "' is a study; give a scene.");
+    if (is_collection)
       {
         Study::run_collection(command_line);
         return;
       }
     if (Study::is_study(command_line.scene_file))
       {
-        if (!command_line.plan.empty())
-          throw InputError("--plan: '" + command_line.scene_file +
-                           "' is a study; give a scene.");
         Study::run_study(command_line);
         return;
       }

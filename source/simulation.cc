@@ -150,12 +150,12 @@ namespace Morsel
                                        number_text(std::ceil(end / dt)));
     prediction.unknowns = 2. * bite.particle_count();
     prediction.steps    = steps;
-    predict_steps(
-        prediction,
-        scene,
-        bite.particle_count(),
-        trial_step_time(bite, sound) *
-            (sound + (steps - sound) * Costs().figure("step after failure")));
+    predict_steps(prediction,
+                  scene,
+                  bite.particle_count(),
+                  trial_step_time(bite, sound),
+                  sound +
+                      (steps - sound) * Costs().figure("step after failure"));
     return prediction;
   }
 } // namespace Morsel

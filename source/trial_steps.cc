@@ -10,7 +10,8 @@ namespace Morsel
   predict_steps(Prediction         &prediction,
                 const Scene::Scene &scene,
                 const double        n_particles,
-                const double        seconds)
+                const double        step_time,
+                const double        n_steps)
   {
     const Costs  costs;
     const double samples =
@@ -19,9 +20,9 @@ namespace Morsel
         scene.output.fields
             ? std::min<double>(scene.output.field_frames, prediction.steps)
             : 0.;
-    prediction.seconds = start_time() + seconds +
-                         n_particles * (samples * costs.figure("sample") +
-                                        frames * costs.figure("frame"));
+    prediction.seconds =
+        start_time() + step_time * (n_steps + samples * costs.figure("sample") +
+                                    frames * costs.figure("frame"));
     // The body stands already; frames and accounts come on top of it.
     dealii::Utilities::System::MemoryStats memory;
     dealii::Utilities::System::get_memory_stats(memory);

@@ -4,6 +4,9 @@
 #include <morsel/prediction.h>
 #include <morsel/scene/scene.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
 #include <chrono>
 
 namespace Morsel
@@ -17,14 +20,16 @@ namespace Morsel
   trial_step_time(System &system, double steps_of_run);
 
 
-  /// Adds what a run of steps takes besides: the program's start, samples and
-  /// frames, memory, from recorded costs.
-  /// @param seconds of all steps
+  /// Time and memory of a run of steps: its samples and frames cost as much
+  /// as a recorded number of steps each; the program's start is added.
+  /// @param step_time of trial steps [s]
+  /// @param n_steps that cost as much as all of the run's
   void
   predict_steps(Prediction         &prediction,
                 const Scene::Scene &scene,
                 double              n_particles,
-                double              seconds);
+                double              step_time,
+                double              n_steps);
 
 
   template <typename System>

@@ -61,9 +61,9 @@ namespace Morsel::Plan
                                              : "body in motion";
     for (const Scene::ParticleBody &body : scene.particle_bodies)
       {
-        double perimeter = 0.;
-        for (const Scene::Outline::Edge &edge :
-             body.shape.outline().get_edges())
+        const Scene::Outline outline   = body.shape.outline();
+        double               perimeter = 0.;
+        for (const Scene::Outline::Edge &edge : outline.get_edges())
           perimeter += edge.length();
         sizes.bodies.push_back(
             {body.name,

@@ -80,11 +80,19 @@ namespace Morsel::Plan
         sizes.push_back(run.size);
         errors.push_back(run.error);
       }
-    const Study::CostToReach reached =
-        Study::cost_to_reach(sizes, errors, accuracy);
-    if (reached.kind == Study::CostToReach::Kind::not_reached)
+    using Kind         = Study::CostToReach::Kind;
+    const auto reached = Study::cost_to_reach(sizes, errors, accuracy);
+    if (reached.kind == Kind::not_reached)
       return std::nullopt;
-    return reached.cost;
+    double recorded = largest_run(method).size;
+    for (const double size : sizes)
+      if (size >= (1. - 1e-9) * reached.cost)
+        recorded = std::min(recorded, size);
+    const auto with_margin =
+        Study::cost_to_reach(sizes, errors, accuracy / interpolation_margin);
+    return with_margin.kind == Kind::not_reached
+               ? recorded
+               : std::min(recorded, with_margin.cost);
   }
 
 

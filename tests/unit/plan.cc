@@ -92,10 +92,13 @@ BOOST_AUTO_TEST_CASE(accuracy_is_a_share_or_a_percentage)
 BOOST_AUTO_TEST_CASE(a_lucky_run_does_not_count)
 {
   // 1e-5 at size 2 is followed by 4e-2 at size 4.
-  const auto size = size_to_reach(coarse_method(), 3e-2);
+  const auto size = size_to_reach(coarse_method(), 3.6e-2);
   BOOST_REQUIRE(size);
-  // First order between 4 and 8: error 0.16 / size.
-  BOOST_CHECK_CLOSE(*size, 0.16 / 3e-2, 1e-6);
+  // First order between 4 and 8: error 0.16 / size, and the margin.
+  BOOST_CHECK_CLOSE(*size, interpolation_margin * 0.16 / 3.6e-2, 1e-6);
+  // No further than the next recorded size.
+  BOOST_CHECK_EQUAL(*size_to_reach(coarse_method(), 2.5e-2), 8.);
+  BOOST_CHECK_EQUAL(*size_to_reach(coarse_method(), 2e-2), 8.);
   BOOST_CHECK(!size_to_reach(coarse_method(), 1e-2));
   // Less than the smallest recorded size is never proposed.
   BOOST_CHECK_EQUAL(*size_to_reach(fine_method(), 0.5), 1.);
@@ -159,9 +162,9 @@ BOOST_AUTO_TEST_CASE(the_cheapest_method_is_chosen)
       record_of({coarse_method(), fine_method()})};
   const auto plan = make_plan(small_crack(), records, 3e-2, by_cells);
   BOOST_REQUIRE(plan.chosen);
-  // 107 cells of the one, 20 of the other.
+  // 160 cells of the one, 20 of the other.
   BOOST_CHECK_EQUAL(plan.proposals[*plan.chosen].title, "Fine");
-  BOOST_CHECK_EQUAL(plan.proposals[0].prediction.seconds, 107.);
+  BOOST_CHECK_EQUAL(plan.proposals[0].prediction.seconds, 160.);
   BOOST_CHECK_EQUAL(plan.proposals[1].prediction.seconds, 20.);
   const std::string text = as_text(plan, "plate.prm", {"Title=Mine"});
   BOOST_CHECK(text.find("--set \"Title=Mine\"") != std::string::npos);

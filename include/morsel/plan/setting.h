@@ -15,9 +15,16 @@ namespace Morsel::Plan
   read_accuracy(const std::string &text);
 
 
-  /// The smallest size from which on all recorded runs have at most this
-  /// error, between two of them interpolated in the logarithms: one lucky run
-  /// does not count (Study::cost_to_reach).
+  /// Between two recorded sizes errors go up and down, with where a crack
+  /// runs through its cells: what is interpolated has to be better than
+  /// wanted by this factor [1].
+  constexpr double interpolation_margin = 1.5;
+
+
+  /// The smallest recorded size from which on all runs have at most this
+  /// error, since one lucky run does not count (Study::cost_to_reach); or a
+  /// smaller one that has it, with the margin, between two runs interpolated
+  /// in the logarithms.
   /// @return nothing if the largest size does not reach it
   std::optional<double>
   size_to_reach(const Method &method, double accuracy);
