@@ -26,15 +26,6 @@ namespace Morsel
     }
 
 
-    double
-    processor_time()
-    {
-      timespec t;
-      clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-      return t.tv_sec + 1e-9 * t.tv_nsec;
-    }
-
-
     /// The edge crack M1 (a).
     template <typename Plate>
     Plate
@@ -146,7 +137,7 @@ namespace Morsel
   }
 
 
-  WorkloadTime
+  Times
   measure(const Workload workload)
   {
     const auto task =
@@ -167,11 +158,20 @@ namespace Morsel
   }
 
 
-  double
+  Times
   start_time()
   {
-    static const double seconds = time_since_process_start();
-    return seconds;
+    static const Times times = {time_since_process_start(), processor_time()};
+    return times;
+  }
+
+
+  double
+  processor_time()
+  {
+    timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return t.tv_sec + 1e-9 * t.tv_nsec;
   }
 
 
@@ -181,12 +181,12 @@ namespace Morsel
     nlohmann::ordered_json workloads = nlohmann::ordered_json::object();
     for (const Workload workload : all_workloads())
       {
-        const WorkloadTime time      = measure(workload);
+        const Times time             = measure(workload);
         workloads[name_of(workload)] = {{"wall_time", time.wall},
                                         {"processor_time", time.processor}};
       }
     return {{"threads", dealii::MultithreadInfo::n_threads()},
-            {"start_time", start_time()},
+            {"start_time", start_time().wall},
             {"workloads", workloads}};
   }
 } // namespace Morsel

@@ -63,19 +63,27 @@ namespace Morsel
   }
 
 
-  double
-  Costs::machine_factor(const Workload workload) const
+  void
+  Costs::predict_time(Prediction    &prediction,
+                      const Workload workload,
+                      const double   seconds) const
   {
-    return read([&] {
-      // Once a process: a plan predicts many settings.
-      static std::map<Workload, double> times;
-      if (times.count(workload) == 0)
-        times[workload] = measure(workload).wall;
-      return times[workload] / document.at("calibration")
-                                   .at("workloads")
-                                   .at(name_of(workload))
-                                   .at("processor_time")
-                                   .get<double>();
+    // Once a process: a plan predicts many settings.
+    static std::map<Workload, Times> measured;
+    if (measured.count(workload) == 0)
+      measured[workload] = measure(workload);
+    const Times &now   = measured[workload];
+    const Times  start = start_time();
+    const double then  = read([&] {
+      return document.at("calibration")
+          .at("workloads")
+          .at(name_of(workload))
+          .at("processor_time")
+          .get<double>();
     });
+    prediction.seconds = start.wall + seconds * now.wall / then;
+    prediction.processor_seconds =
+        start.processor + seconds * now.processor / then;
+    prediction.basis = "recorded costs, this machine calibrated now";
   }
 } // namespace Morsel

@@ -2,6 +2,7 @@
 #define morsel_source_costs_h
 
 #include <morsel/calibration.h>
+#include <morsel/prediction.h>
 
 #include <map>
 #include <string>
@@ -10,11 +11,6 @@ namespace Morsel
 {
   /// Sizes that a cost depends on, by name: "cells", "unknowns", ...
   using Sizes = std::map<std::string, double>;
-
-
-  /// What predictions by way of Costs rest on.
-  inline const char *const recorded_basis =
-      "recorded costs, this machine calibrated now";
 
 
   /// What parts of runs cost, from data/recorded/costs.json: sums of products
@@ -37,11 +33,14 @@ namespace Morsel
     double
     figure(const std::string &name) const;
 
-    /// How much longer this machine takes now, with the threads in use, than
-    /// the one that recorded: by a calibration of a third of a second, made
-    /// once.
-    double
-    machine_factor(Workload workload) const;
+    /// Sets the times of a prediction: the program's start, and recorded
+    /// seconds times how much longer this machine takes now, with the threads
+    /// in use, than the one that recorded: by a calibration of a third of a
+    /// second, made once.
+    void
+    predict_time(Prediction &prediction,
+                 Workload    workload,
+                 double      seconds) const;
 
   private:
     nlohmann::ordered_json document;

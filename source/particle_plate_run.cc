@@ -129,19 +129,17 @@ namespace Morsel
     const double n      = 1. * plate.particles_x * plate.particles_y;
     const Sizes  sizes  = {{"particles", n}};
     const Costs  costs;
-    const double solution =
-        costs.of("particle plate solution", "seconds", sizes);
-    Prediction prediction;
+    Prediction   prediction;
     prediction.scene    = plate.name;
     prediction.effects  = Output::effects_as_text(effects_of(plate, cracks));
     prediction.unknowns = 2. * n;
-    prediction.seconds =
-        start_time() +
-        costs.machine_factor(Workload::static_particles) *
-            ((plate.energy_growth > 0. ? 3. : 1.) * solution +
-             costs.of("particle plate fields", "seconds", sizes));
-    prediction.bytes = costs.of("particle plate solution", "bytes", sizes);
-    prediction.basis = recorded_basis;
+    prediction.bytes    = costs.of("particle plate solution", "bytes", sizes);
+    costs.predict_time(
+        prediction,
+        Workload::static_particles,
+        (plate.energy_growth > 0. ? 3. : 1.) *
+                costs.of("particle plate solution", "seconds", sizes) +
+            costs.of("particle plate fields", "seconds", sizes));
     prediction.count("Particles", n);
     prediction.count("Cracks", cracks.size());
     prediction.count("Crack tips", Fracture::collect_tips(cracks).size());

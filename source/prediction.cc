@@ -67,8 +67,9 @@ namespace Morsel
       text << std::setw(17) << name << figure << '\n';
     text << "Predicted memory about " << std::llround(1e-6 * prediction.bytes)
          << " MB\nPredicted time   about " << std::setprecision(2)
-         << two_digits(prediction.seconds) << " s (" << prediction.basis
-         << ")\n";
+         << two_digits(prediction.seconds) << " s (" << prediction.basis << "; "
+         << two_digits(prediction.processor_seconds)
+         << " s of processor time)\n";
     return text.str();
   }
 

@@ -327,26 +327,24 @@ namespace Morsel
     prediction.scene   = scene.name;
     prediction.effects = Output::effects_as_text(effects_of(scene));
     prediction.advice  = scene.warnings;
-    const Costs  costs;
-    const double factor = costs.machine_factor(Workload::static_particles);
-    double       n      = 0.;
+    const Costs costs;
+    double      n = 0., seconds = 0.;
     for (const auto &body : make_bodies(scene))
       {
-        const Sizes sizes = {{"particles", body->get_results().n_particles},
-                             {"relaxations", body->get_cloud().n_relaxations}};
-        n += sizes.at("particles");
-        prediction.seconds +=
-            factor * costs.of("particle body solution", "seconds", sizes);
+        const double particles = body->get_results().n_particles;
+        const Sizes  sizes     = {
+                 {"particles", particles},
+                 {"relaxations", 1. * body->get_cloud().n_relaxations}};
+        n += particles;
+        seconds += costs.of("particle body solution", "seconds", sizes);
         if (scene.output.fields)
-          prediction.seconds +=
-              factor * costs.of("particle body fields", "seconds", sizes);
+          seconds += costs.of("particle body fields", "seconds", sizes);
       }
-    prediction.seconds += start_time();
+    costs.predict_time(prediction, Workload::static_particles, seconds);
     prediction.unknowns = 2. * n;
     prediction.bytes =
         costs.of("particle body solution", "bytes", {{"particles", n}});
     prediction.count("Particles", n);
-    prediction.basis = recorded_basis;
     return prediction;
   }
 } // namespace Morsel

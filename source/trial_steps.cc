@@ -10,7 +10,7 @@ namespace Morsel
   predict_steps(Prediction         &prediction,
                 const Scene::Scene &scene,
                 const double        n_particles,
-                const double        step_time,
+                const Times        &step_time,
                 const double        n_steps)
   {
     const Costs  costs;
@@ -20,9 +20,11 @@ namespace Morsel
         scene.output.fields
             ? std::min<double>(scene.output.field_frames, prediction.steps)
             : 0.;
-    prediction.seconds =
-        start_time() + step_time * (n_steps + samples * costs.figure("sample") +
-                                    frames * costs.figure("frame"));
+    const double all = n_steps + samples * costs.figure("sample") +
+                       frames * costs.figure("frame");
+    const Times start            = start_time();
+    prediction.seconds           = start.wall + all * step_time.wall;
+    prediction.processor_seconds = start.processor + all * step_time.processor;
     // The body stands already; frames and accounts come on top of it.
     dealii::Utilities::System::MemoryStats memory;
     dealii::Utilities::System::get_memory_stats(memory);

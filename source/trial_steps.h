@@ -1,6 +1,7 @@
 #ifndef morsel_source_trial_steps_h
 #define morsel_source_trial_steps_h
 
+#include <morsel/calibration.h>
 #include <morsel/prediction.h>
 #include <morsel/scene/scene.h>
 
@@ -11,12 +12,12 @@
 
 namespace Morsel
 {
-  /// Mean wall time of a step [s] of a system that has not begun, from steps
+  /// Mean times of a step [s] of a system that has not begun, from steps
   /// that are thrown away: some that warm up, then as many as fit into two
   /// thirds of a second, but no more than the run has. Ranks agree on their
   /// number, since steps are collective.
   template <typename System>
-  double
+  Times
   trial_step_time(System &system, double steps_of_run);
 
 
@@ -28,12 +29,12 @@ namespace Morsel
   predict_steps(Prediction         &prediction,
                 const Scene::Scene &scene,
                 double              n_particles,
-                double              step_time,
+                const Times        &step_time,
                 double              n_steps);
 
 
   template <typename System>
-  double
+  Times
   trial_step_time(System &system, const double steps_of_run)
   {
     using Clock        = std::chrono::steady_clock;
@@ -45,26 +46,33 @@ namespace Morsel
         }
     };
     const auto time_of = [&advance](const unsigned int n) {
-      const auto begin = Clock::now();
+      const auto   begin     = Clock::now();
+      const double processor = processor_time();
       advance(n);
-      return dealii::Utilities::MPI::max(
-          std::chrono::duration<double>(Clock::now() - begin).count(),
-          MPI_COMM_WORLD);
+      return Times{
+          dealii::Utilities::MPI::max(
+              std::chrono::duration<double>(Clock::now() - begin).count(),
+              MPI_COMM_WORLD),
+          processor_time() - processor};
     };
     system.evaluate();
     constexpr double duration = 2. / 3.; // [s]
     const double     warm_up  = std::min(10., steps_of_run);
-    const double     first    = time_of(warm_up) / std::max(1., warm_up);
+    const Times      first    = time_of(warm_up);
     if (steps_of_run <= 2. * warm_up)
-      return first;
+      return {first.wall / std::max(1., warm_up),
+              first.processor / std::max(1., warm_up)};
     // In portions, since the first step's time is no measure of the next.
-    double time = 0., n = 0.;
-    while (time < duration && n < steps_of_run)
+    Times  sum;
+    double n = 0.;
+    while (sum.wall < duration && n < steps_of_run)
       {
-        time += time_of(10);
+        const Times portion = time_of(10);
+        sum.wall += portion.wall;
+        sum.processor += portion.processor;
         n += 10.;
       }
-    return time / n;
+    return {sum.wall / n, sum.processor / n};
   }
 } // namespace Morsel
 

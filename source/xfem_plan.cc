@@ -137,14 +137,13 @@ namespace Morsel
     prediction.effects  = Output::effects_as_text(effects_of(plate, cracks));
     prediction.unknowns = growth * unknowns;
     prediction.steps    = 1. + plate.adaptive_steps;
-    prediction.seconds =
-        start_time() + costs.machine_factor(Workload::finite_elements) *
-                           (solutions + seconds("XFEM fields", growth));
+    costs.predict_time(prediction,
+                       Workload::finite_elements,
+                       solutions + seconds("XFEM fields", growth));
     prediction.bytes =
         costs.of("XFEM solution",
                  "bytes",
                  sizes_of(plate, growth * n_cells, growth * unknowns));
-    prediction.basis = recorded_basis;
     prediction.counts.emplace_back("Cells",
                                    number_text(n_cells) + " of degree " +
                                        std::to_string(plate.degree));

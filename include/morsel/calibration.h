@@ -24,23 +24,28 @@ namespace Morsel
   name_of(Workload workload);
 
 
-  /// What one task of fixed size takes [s]: the mean over as many repetitions
-  /// as fit into a third of a second after a first one that does not count,
-  /// since what follows will meet the same load of the machine.
-  struct WorkloadTime
+  /// Two measures of time [s].
+  struct Times
   {
     double wall      = 0.; ///< with the threads in use
     double processor = 0.; ///< of all threads
   };
 
-  WorkloadTime
+  /// What the task takes: the mean over as many repetitions as fit into a
+  /// third of a second after a first one that does not count, since what
+  /// follows will meet the same load of the machine.
+  Times
   measure(Workload workload);
 
 
-  /// Wall time from the start of this process to the first call [s]: the main
-  /// program calls it before it does anything.
-  double
+  /// From the start of this process to the first call [s]: the main program
+  /// calls it before it does anything.
+  Times
   start_time();
+
+  /// Of all threads of this process so far [s].
+  double
+  processor_time();
 
 
   /// All workloads, about a second: {"threads", "workloads": {name:

@@ -19,8 +19,9 @@ namespace Morsel
     double      unknowns = 0.; ///< at the end of the run [1]
     double      steps    = 1.; ///< of time or of adaptivity [1]
     double      seconds  = 0.; ///< wall time from the start of the program [s]
-    double      bytes    = 0.; ///< largest resident set of a rank [B]
-    std::string basis;         ///< what the time rests on
+    double      processor_seconds = 0.; ///< of all threads [s]
+    double      bytes             = 0.; ///< largest resident set of a rank [B]
+    std::string basis;                  ///< what the time rests on
 
     /// @param figure of at least 1 is rounded to a whole number
     void
