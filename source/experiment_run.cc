@@ -3,15 +3,16 @@
 #include "experiment.h"
 #include "experiment_recorder.h"
 #include "static_run.h"
+#include "trial_steps.h"
 
 #include <morsel/core/atomic_file.h>
 #include <morsel/core/command_line.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/failure.h>
 #include <morsel/core/signals.h>
+#include <morsel/core/suggestions.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <sstream>
 
@@ -66,38 +67,30 @@ namespace Morsel
   }
 
 
-  std::string
-  describe_experiment(const Scene::Scene &scene)
+  Prediction
+  predict_experiment(const Scene::Scene &scene)
   {
     if (scene.time.is_static())
-      return describe_static(scene);
-    RunLog     log("", true, false);
-    Experiment experiment(scene, log);
-
-    // A few steps, thrown away, tell what a step costs here and now.
-    constexpr unsigned int trial_steps = 20;
-    experiment.evaluate();
-    const auto begin = std::chrono::steady_clock::now();
-    for (unsigned int k = 0; k < trial_steps; ++k)
-      {
-        experiment.advance();
-        experiment.evaluate();
-      }
-    const double per_step =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-            .count() /
-        trial_steps;
-
+      return predict_static(scene);
+    RunLog       log("", true, false);
+    Experiment   experiment(scene, log);
     const double steps =
         std::ceil(scene.time.end_time / experiment.time_step());
-    std::ostringstream text;
-    text << "Scene '" << scene.name << "' is sound. Effects:\n"
-         << Output::effects_as_text(effects_of_experiment(scene))
-         << "Time step        " << experiment.time_step() << " s\n"
-         << "Particles        " << experiment.particle_count() << '\n'
-         << "Steps            " << steps << '\n';
-    text.precision(2);
-    text << "Predicted time   about " << 1.1 * per_step * steps << " s\n";
-    return text.str();
+    Prediction prediction;
+    prediction.scene   = scene.name;
+    prediction.effects = Output::effects_as_text(effects_of_experiment(scene));
+    prediction.advice  = scene.warnings;
+    prediction.counts.emplace_back("Time step",
+                                   number_text(experiment.time_step()) + " s");
+    prediction.count("Particles", experiment.particle_count());
+    prediction.count("Steps", steps);
+    prediction.unknowns = 2. * experiment.particle_count();
+    prediction.steps    = steps;
+    predict_steps(prediction,
+                  scene,
+                  experiment.particle_count(),
+                  trial_step_time(experiment, steps),
+                  steps);
+    return prediction;
   }
 } // namespace Morsel

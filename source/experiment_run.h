@@ -2,9 +2,8 @@
 #define morsel_source_experiment_run_h
 
 #include <morsel/core/run_options.h>
+#include <morsel/prediction.h>
 #include <morsel/scene/scene.h>
-
-#include <string>
 
 namespace Morsel
 {
@@ -15,8 +14,8 @@ namespace Morsel
 
 
   /// What a run of such a scene would be.
-  std::string
-  describe_experiment(const Scene::Scene &scene);
+  Prediction
+  predict_experiment(const Scene::Scene &scene);
 } // namespace Morsel
 
 #endif

@@ -10,7 +10,6 @@
 #include <deal.II/base/multithread_info.h>
 
 #include <filesystem>
-#include <iostream>
 
 namespace Morsel
 {
@@ -41,6 +40,18 @@ namespace Morsel
       {
         xfem.declare(prm);
         particles.declare(prm);
+      }
+
+      bool
+      by_particles() const
+      {
+        return xfem.method == "SPH";
+      }
+
+      SPH::PlateParameters
+      as_particles() const
+      {
+        return {xfem, particles};
       }
     };
 
@@ -75,6 +86,20 @@ namespace Morsel
                            Fracture::side_names[side] +
                            " displacement' works on one rank only: run "
                            "without mpirun.");
+    }
+
+
+    void
+    check_plate(const AnyPlate &plate)
+    {
+      if (plate.by_particles())
+        {
+          check(plate.as_particles());
+          return;
+        }
+      check(plate.xfem);
+      check_memory(plate.xfem);
+      check_ranks(plate.xfem);
     }
 
 
@@ -120,6 +145,31 @@ namespace Morsel
   }
 
 
+  Fracture::PlateScene
+  read_plate_scene(const std::string              &scene_file,
+                   const std::vector<std::string> &overrides)
+  {
+    AnyPlate         plate;
+    ParameterHandler prm;
+    read_plate(plate, prm, scene_file, overrides);
+    return plate.xfem;
+  }
+
+
+  Prediction
+  predict_fracture_scene(const std::string              &scene_file,
+                         const std::vector<std::string> &overrides)
+  {
+    AnyPlate         plate;
+    ParameterHandler prm;
+    read_plate(plate, prm, scene_file, overrides);
+    check_plate(plate);
+    return plate.by_particles()
+               ? predict_particle_plate(plate.as_particles())
+               : predict_xfem(plate.xfem, make_cracks(plate.xfem));
+  }
+
+
   void
   run_fracture_scene(const CommandLine &command_line)
   {
@@ -129,33 +179,14 @@ namespace Morsel
     RunOptions options = command_line.run;
     if (options.threads > 0)
       dealii::MultithreadInfo::set_thread_limit(options.threads);
-    const FirstRank            first_rank;
-    const SPH::PlateParameters particles{plate.xfem, plate.particles};
-    const bool                 by_particles = plate.xfem.method == "SPH";
-    if (by_particles)
-      check(particles);
-    else
-      {
-        check(plate.xfem);
-        check_memory(plate.xfem);
-        check_ranks(plate.xfem);
-      }
-    if (options.validate_only)
-      {
-        first_rank.run([&] {
-          std::cout << (by_particles ? describe_particle_plate(particles)
-                                     : describe_xfem_run(
-                                           plate.xfem, make_cracks(plate.xfem)))
-                    << std::flush;
-        });
-        return;
-      }
+    const FirstRank first_rank;
+    check_plate(plate);
     if (options.output_directory.empty())
       options.output_directory = "output/" + plate.xfem.name;
     const std::string used = parameters_as_prm(prm, false);
-    if (by_particles)
+    if (plate.by_particles())
       {
-        run_particle_plate(particles, options, used);
+        run_particle_plate(plate.as_particles(), options, used);
         return;
       }
     // Mistakes that only the mesh shows come before anything is written.

@@ -1,8 +1,10 @@
+#include <morsel/calibration.h>
 #include <morsel/core/command_line.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/failure.h>
 #include <morsel/core/signals.h>
 #include <morsel/fracture_run.h>
+#include <morsel/plan/plan.h>
 #include <morsel/scene/read.h>
 #include <morsel/simulation.h>
 #include <morsel/study/collection.h>
@@ -29,25 +31,15 @@ namespace
   }
 
 
-  /// Reads the scene on rank 0 first: if it is bad, rank 0 alone says so, and
-  /// all ranks end with its status.
-  Scene::Scene
-  read_scene_on_all_ranks(const CommandLine &command_line)
-  {
-    const auto read = [&] {
-      return Scene::read_scene(command_line.scene_file, command_line.overrides);
-    };
-    FirstRank    first_rank;
-    Scene::Scene scene;
-    first_rank.run([&] { scene = read(); });
-    return first_rank.is_this_rank() ? scene : read();
-  }
-
-
   void
   run(const CommandLine &command_line)
   {
-    if (Study::is_collection(command_line.scene_file))
+    const bool is_collection = Study::is_collection(command_line.scene_file);
+    if (!command_line.plan.empty() &&
+        (is_collection || Study::is_study(command_line.scene_file)))
+      throw InputError("--plan: '" + command_line.scene_file +
+                       "' is a study; give a scene.");
+    if (is_collection)
       {
         Study::run_collection(command_line);
         return;
@@ -62,31 +54,36 @@ namespace
                        "results to go on from; leave the option out to start "
                        "anew.");
 
+    RunOptions options = command_line.run;
+    if (options.threads > 0)
+      dealii::MultithreadInfo::set_thread_limit(options.threads);
+    options.threads = dealii::MultithreadInfo::n_threads();
+    if (!command_line.plan.empty())
+      {
+        const Plan::Plan plan = Plan::plan_scene(
+            command_line.scene_file, command_line.overrides, command_line.plan);
+        std::cout << Plan::as_text(
+                         plan, command_line.scene_file, command_line.overrides)
+                  << std::flush;
+        return;
+      }
+    if (options.validate_only)
+      {
+        const Prediction prediction =
+            predict_scene(command_line.scene_file, command_line.overrides);
+        FirstRank().run(
+            [&] { std::cout << as_text(prediction) << std::flush; });
+        return;
+      }
     if (is_fracture_scene(command_line.scene_file, command_line.overrides))
       {
         run_fracture_scene(command_line);
         return;
       }
-    const Scene::Scene scene   = read_scene_on_all_ranks(command_line);
-    RunOptions         options = command_line.run;
-    if (options.threads > 0)
-      dealii::MultithreadInfo::set_thread_limit(options.threads);
-    options.threads = dealii::MultithreadInfo::n_threads();
+    const Scene::Scene scene = Scene::read_scene_on_all_ranks(
+        command_line.scene_file, command_line.overrides);
     if (options.output_directory.empty())
       options.output_directory = "output/" + scene.name;
-
-    FirstRank first_rank;
-    if (options.validate_only)
-      {
-        const std::string description = describe_run(scene);
-        first_rank.run([&] {
-          for (const std::string &advice : scene.warnings)
-            std::cout << "Advice: " << advice << '\n';
-          std::cout << description << std::flush;
-        });
-        return;
-      }
-
     catch_signals();
     run_simulation(scene, options);
   }
@@ -101,6 +98,7 @@ main(int argc, char **argv)
       argc, argv, dealii::numbers::invalid_unsigned_int);
 
   return exit_status_of([&] {
+    start_time();
     const CommandLine command_line =
         read_command_line(std::vector<std::string>(argv + 1, argv + argc));
     FirstRank first_rank;

@@ -1,5 +1,6 @@
 #include "particle_plate_run.h"
 
+#include "costs.h"
 #include "plate_summary.h"
 #include "run_summary.h"
 
@@ -121,22 +122,28 @@ namespace Morsel
   } // namespace
 
 
-  std::string
-  describe_particle_plate(const SPH::PlateParameters &plate)
+  Prediction
+  predict_particle_plate(const SPH::PlateParameters &plate)
   {
-    const auto         cracks = Fracture::make_cracks(plate);
-    const double       n      = 1. * plate.particles_x * plate.particles_y;
-    std::ostringstream out;
-    out << "Scene '" << plate.name << "' is sound: about " << n
-        << " particles, " << cracks.size() << " crack(s), "
-        << Fracture::collect_tips(cracks).size() << " tip(s).\nEffects:\n";
-    for (const Output::Effect &effect : effects_of(plate, cracks))
-      out << "  " << (effect.on ? "on   " : "off  ") << effect.name << " ("
-          << effect.reason << ")\n";
-    // Measured on 10,000 particles: time and memory grow in proportion.
-    out << "Predicted: " << 3.5e-4 * n << " s on one core, " << 0.15 + 8e-6 * n
-        << " GB.\n";
-    return out.str();
+    const auto   cracks = Fracture::make_cracks(plate);
+    const double n      = 1. * plate.particles_x * plate.particles_y;
+    const Sizes  sizes  = {{"particles", n}};
+    const Costs  costs;
+    Prediction   prediction;
+    prediction.scene    = plate.name;
+    prediction.effects  = Output::effects_as_text(effects_of(plate, cracks));
+    prediction.unknowns = 2. * n;
+    prediction.bytes    = costs.of("particle plate solution", "bytes", sizes);
+    costs.predict_time(
+        prediction,
+        Workload::static_particles,
+        (plate.energy_growth > 0. ? 3. : 1.) *
+                costs.of("particle plate solution", "seconds", sizes) +
+            costs.of("particle plate fields", "seconds", sizes));
+    prediction.count("Particles", n);
+    prediction.count("Cracks", cracks.size());
+    prediction.count("Crack tips", Fracture::collect_tips(cracks).size());
+    return prediction;
   }
 
 

@@ -2,15 +2,16 @@
 #define morsel_particle_plate_run_h
 
 #include <morsel/core/run_options.h>
+#include <morsel/prediction.h>
 #include <morsel/sph/plate_problem.h>
 
 #include <string>
 
 namespace Morsel
 {
-  /// What a run would do: effects, particles, predicted memory and time.
-  std::string
-  describe_particle_plate(const SPH::PlateParameters &plate);
+  /// What a run would be.
+  Prediction
+  predict_particle_plate(const SPH::PlateParameters &plate);
 
 
   /// Solves a cracked plate by particles ("set Method = SPH") and leaves

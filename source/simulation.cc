@@ -1,44 +1,63 @@
 #include "bite.h"
+#include "costs.h"
 #include "experiment_run.h"
 #include "recorder.h"
+#include "trial_steps.h"
 
 #include <morsel/core/atomic_file.h>
 #include <morsel/core/command_line.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/failure.h>
 #include <morsel/core/signals.h>
+#include <morsel/core/suggestions.h>
 #include <morsel/simulation.h>
 
-#include <chrono>
-#include <iomanip>
 #include <sstream>
 
 namespace Morsel
 {
   namespace
   {
-    /// Steps that a run is expected to take.
-    double
-    expected_steps(const Scene::Scene &scene, const Bite &bite)
+    /// How far the plates close, and how fast.
+    struct Course
     {
-      double speed = 0., ramp = 0.;
+      double speed = 0.; ///< [m/s]
+      double ramp  = 0.; ///< [s]
+      /// Until the run ends, and until the food fails [m].
+      double closure = 0., failure = 0.;
+
+      /// When they have closed so far, or the run ends [s].
+      double
+      time_of(const double distance, const double end_time) const
+      {
+        return speed > 0. ? std::min(end_time, distance / speed + 0.5 * ramp)
+                          : end_time;
+      }
+    };
+
+
+    Course
+    expected_course(const Scene::Scene &scene, const unsigned int axis)
+    {
+      Course course;
       for (const auto &plate : scene.rigid_bodies)
         {
-          speed += plate.motion.velocity.norm();
-          ramp = std::max(ramp, plate.motion.ramp_time);
+          course.speed += plate.motion.velocity.norm();
+          course.ramp = std::max(course.ramp, plate.motion.ramp_time);
         }
-      const auto  &body    = scene.particle_bodies.front();
-      const double height  = body.shape.extent(bite.closing_axis());
-      double       closure = scene.stop.maximum_closure * height;
+      const auto  &body   = scene.particle_bodies.front();
+      const double height = body.shape.extent(axis);
+      course.closure      = scene.stop.maximum_closure * height;
+      course.failure      = course.closure;
       if (body.damage.enabled)
-        closure = std::min(
-            closure,
-            1.3 * expected_failure_closure(scene, bite.closing_axis()) +
-                scene.stop.closure_after_failure * height);
-      const double time = speed > 0. ? std::min(scene.time.end_time,
-                                                closure / speed + 0.5 * ramp)
-                                     : scene.time.end_time;
-      return std::ceil(time / bite.time_step());
+        {
+          course.failure = std::min(
+              course.closure, 1.3 * expected_failure_closure(scene, axis));
+          course.closure = std::min(
+              course.closure,
+              course.failure + scene.stop.closure_after_failure * height);
+        }
+      return course;
     }
   } // namespace
 
@@ -102,41 +121,41 @@ namespace Morsel
   }
 
 
-  std::string
-  describe_run(const Scene::Scene &scene)
+  Prediction
+  predict_run(const Scene::Scene &scene)
   {
     if (scene.rigid_bodies.empty())
-      return describe_experiment(scene);
-    const MPI_Comm communicator = MPI_COMM_WORLD;
-    RunLog         log("", true, false);
-    Bite           bite(scene, communicator, log);
+      return predict_experiment(scene);
+    RunLog       log("", true, false);
+    Bite         bite(scene, MPI_COMM_WORLD, log);
+    const Course course = expected_course(scene, bite.closing_axis());
+    const double end = scene.time.end_time, dt = bite.time_step();
+    const double steps = std::ceil(course.time_of(course.closure, end) / dt);
+    const double sound =
+        std::min(steps, std::ceil(course.time_of(course.failure, end) / dt));
 
-    // A few steps, thrown away, tell what a step costs here and now.
-    constexpr unsigned int trial_steps = 20;
-    bite.evaluate();
-    const auto begin = std::chrono::steady_clock::now();
-    for (unsigned int k = 0; k < trial_steps; ++k)
-      {
-        bite.advance();
-        bite.evaluate();
-      }
-    const double per_step =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-            .count() /
-        trial_steps;
-
-    const double       steps = expected_steps(scene, bite);
-    std::ostringstream text;
-    text << "Scene '" << scene.name << "' is sound. Effects:\n";
-    text << Output::effects_as_text(effects_of(scene)) << "Time step        "
-         << bite.time_step() << " s\n"
-         << "Particles        " << bite.particle_count() << '\n'
-         << "Cells            " << bite.food().get_host().n_cells()
-         << " (background mesh)\n"
-         << "Steps            about " << steps << " of at most "
-         << std::ceil(scene.time.end_time / bite.time_step()) << '\n'
-         << "Predicted time   about " << std::setprecision(2)
-         << 1.3 * per_step * steps << " s\n";
-    return text.str();
+    Prediction prediction;
+    prediction.scene   = scene.name;
+    prediction.effects = Output::effects_as_text(effects_of(scene));
+    prediction.advice  = scene.warnings;
+    prediction.counts.emplace_back("Time step", number_text(dt) + " s");
+    prediction.count("Particles", bite.particle_count());
+    prediction.counts.emplace_back(
+        "Cells",
+        std::to_string(bite.food().get_host().n_cells()) +
+            " (background mesh)");
+    prediction.counts.emplace_back("Steps",
+                                   "about " + number_text(steps) +
+                                       " of at most " +
+                                       number_text(std::ceil(end / dt)));
+    prediction.unknowns = 2. * bite.particle_count();
+    prediction.steps    = steps;
+    predict_steps(prediction,
+                  scene,
+                  bite.particle_count(),
+                  trial_step_time(bite, sound),
+                  sound +
+                      (steps - sound) * Costs().figure("step after failure"));
+    return prediction;
   }
 } // namespace Morsel

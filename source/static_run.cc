@@ -1,5 +1,6 @@
 #include "static_run.h"
 
+#include "costs.h"
 #include "experiment_recorder.h"
 #include "run_summary.h"
 #include "tip_summary.h"
@@ -319,18 +320,31 @@ namespace Morsel
   }
 
 
-  std::string
-  describe_static(const Scene::Scene &scene)
+  Prediction
+  predict_static(const Scene::Scene &scene)
   {
-    std::ostringstream text;
-    text << "Scene '" << scene.name << "' is sound. Effects:\n"
-         << Output::effects_as_text(effects_of(scene));
-    double n = 0.;
+    Prediction prediction;
+    prediction.scene   = scene.name;
+    prediction.effects = Output::effects_as_text(effects_of(scene));
+    prediction.advice  = scene.warnings;
+    const Costs costs;
+    double      n = 0., seconds = 0.;
     for (const auto &body : make_bodies(scene))
-      n += body->get_results().n_particles;
-    // Measured on 10,000 particles: time and memory grow in proportion.
-    text << "Particles        " << n << '\n'
-         << "Predicted time   about " << 3.5e-4 * n << " s on one core\n";
-    return text.str();
+      {
+        const double particles = body->get_results().n_particles;
+        const Sizes  sizes     = {
+                 {"particles", particles},
+                 {"relaxations", 1. * body->get_cloud().n_relaxations}};
+        n += particles;
+        seconds += costs.of("particle body solution", "seconds", sizes);
+        if (scene.output.fields)
+          seconds += costs.of("particle body fields", "seconds", sizes);
+      }
+    costs.predict_time(prediction, Workload::static_particles, seconds);
+    prediction.unknowns = 2. * n;
+    prediction.bytes =
+        costs.of("particle body solution", "bytes", {{"particles", n}});
+    prediction.count("Particles", n);
+    return prediction;
   }
 } // namespace Morsel

@@ -2,9 +2,8 @@
 #define morsel_source_static_run_h
 
 #include <morsel/core/run_options.h>
+#include <morsel/prediction.h>
 #include <morsel/scene/scene.h>
-
-#include <string>
 
 namespace Morsel
 {
@@ -16,8 +15,8 @@ namespace Morsel
 
 
   /// What a run of such a scene would be.
-  std::string
-  describe_static(const Scene::Scene &scene);
+  Prediction
+  predict_static(const Scene::Scene &scene);
 } // namespace Morsel
 
 #endif

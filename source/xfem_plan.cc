@@ -1,12 +1,12 @@
 #include "xfem_plan.h"
 
+#include "costs.h"
+
 #include <morsel/core/errors.h>
 #include <morsel/core/suggestions.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 #include <unistd.h>
 
@@ -25,25 +25,16 @@ namespace Morsel
     }
 
 
-    /// Resident memory [B]: program, factorisation (n log n entries by nested
-    /// dissection), and the picture's text; measured on M1 for degrees 1 to 8
-    /// and 7,000 to 150,000 unknowns, good to a third.
-    double
-    predicted_memory(const FE::PlateParameters &plate,
-                     const double               n_cells,
-                     const double               unknowns)
+    Sizes
+    sizes_of(const FE::PlateParameters &plate,
+             const double               n_cells,
+             const double               unknowns)
     {
-      const double parts = plate.degree > 1 ? 16. : 1.;
-      return 1.8e8 + 110. * unknowns * std::log2(unknowns) +
-             1.4e3 * parts * n_cells;
-    }
-
-
-    /// Time of the whole run [s] on one core, from the same runs.
-    double
-    predicted_time(const double unknowns)
-    {
-      return 0.2 + 2.2e-5 * unknowns + 2e-8 * std::pow(unknowns, 1.5);
+      return {{"cells", n_cells},
+              {"unknowns", unknowns},
+              {"order", plate.degree + 1.},
+              // The picture of a cell of higher degree has 4 x 4 parts.
+              {"parts", (plate.degree > 1 ? 16. : 1.) * n_cells}};
     }
   } // namespace
 
@@ -97,8 +88,10 @@ namespace Morsel
   check_memory(const FE::PlateParameters &plate)
   {
     const double unknowns = least_unknowns(plate);
-    const double needed =
-        predicted_memory(plate, 1. * plate.cells_x * plate.cells_y, unknowns);
+    const double needed   = Costs().of(
+        "XFEM solution",
+        "bytes",
+        sizes_of(plate, 1. * plate.cells_x * plate.cells_y, unknowns));
     const double present =
         1. * sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGE_SIZE);
     if (needed > present)
@@ -113,9 +106,9 @@ namespace Morsel
   }
 
 
-  std::string
-  describe_xfem_run(const FE::PlateParameters          &plate,
-                    const std::vector<Fracture::Crack> &cracks)
+  Prediction
+  predict_xfem(const FE::PlateParameters          &plate,
+               const std::vector<Fracture::Crack> &cracks)
   {
     Triangulation<2> triangulation(
         Triangulation<2>::limit_level_difference_at_vertices);
@@ -123,35 +116,45 @@ namespace Morsel
     problem.set_up();
     const double n_cells  = triangulation.n_active_cells();
     const double unknowns = problem.get_space().n_free_dofs();
+    const Costs  costs;
+    const auto   seconds = [&](const char *part, const double growth) {
+      return costs.of(part,
+                      "seconds",
+                      sizes_of(plate, growth * n_cells, growth * unknowns));
+    };
     // Every marked cell makes way for four.
-    const double growth = 1. + 3. * plate.refined_share;
-    double       time = 0., last = unknowns;
-    for (unsigned int step = 0; step <= plate.adaptive_steps; ++step)
-      {
-        last = unknowns * std::pow(growth, step);
-        time += predicted_time(last);
-      }
+    double growth = 1., solutions = seconds("XFEM solution", 1.);
     if (plate.energy_growth > 0.)
-      time += 2. * predicted_time(unknowns);
+      solutions *= plate.adaptive_steps > 0 ? 4. : 3.;
+    for (unsigned int step = 0; step < plate.adaptive_steps; ++step)
+      {
+        growth *= 1. + 3. * plate.refined_share;
+        solutions += seconds("XFEM solution", growth);
+      }
 
-    std::ostringstream text;
-    text << "Scene '" << plate.name << "' is sound. Effects:\n";
-    for (const Output::Effect &effect : effects_of(plate, cracks))
-      text << (effect.on ? "  on   " : "  off  ") << std::left << std::setw(46)
-           << effect.name << "  (" << effect.reason << ")\n";
-    text << "Cells            " << n_cells << " of degree " << plate.degree
-         << '\n'
-         << "Unknowns         " << unknowns << '\n';
+    Prediction prediction;
+    prediction.scene    = plate.name;
+    prediction.effects  = Output::effects_as_text(effects_of(plate, cracks));
+    prediction.unknowns = growth * unknowns;
+    prediction.steps    = 1. + plate.adaptive_steps;
+    costs.predict_time(prediction,
+                       Workload::finite_elements,
+                       solutions + seconds("XFEM fields", growth));
+    prediction.bytes =
+        costs.of("XFEM solution",
+                 "bytes",
+                 sizes_of(plate, growth * n_cells, growth * unknowns));
+    prediction.counts.emplace_back("Cells",
+                                   number_text(n_cells) + " of degree " +
+                                       std::to_string(plate.degree));
+    prediction.count("Unknowns", unknowns);
     if (plate.adaptive_steps > 0)
-      text << "At the end       about "
-           << std::llround(n_cells * last / unknowns) << " cells, "
-           << std::llround(last) << " unknowns after " << plate.adaptive_steps
-           << " adaptive step(s)\n";
-    text << "Predicted memory about "
-         << std::llround(
-                1e-6 * predicted_memory(plate, n_cells * last / unknowns, last))
-         << " MB\n"
-         << std::setprecision(2) << "Predicted time   about " << time << " s\n";
-    return text.str();
+      prediction.counts.emplace_back(
+          "At the end",
+          "about " + std::to_string(std::llround(growth * n_cells)) +
+              " cells, " + std::to_string(std::llround(growth * unknowns)) +
+              " unknowns after " + std::to_string(plate.adaptive_steps) +
+              " adaptive step(s)");
+    return prediction;
   }
 } // namespace Morsel

@@ -3,6 +3,7 @@
 
 #include <morsel/fe/plate_problem.h>
 #include <morsel/output/summary.h>
+#include <morsel/prediction.h>
 
 #include <string>
 #include <vector>
@@ -22,11 +23,11 @@ namespace Morsel
   check_memory(const FE::PlateParameters &plate);
 
 
-  /// What a run would do: effects, cells, unknowns, predicted memory and time.
+  /// What a run would be.
   /// @throws InputError for a mistake that only the mesh shows
-  std::string
-  describe_xfem_run(const FE::PlateParameters          &plate,
-                    const std::vector<Fracture::Crack> &cracks);
+  Prediction
+  predict_xfem(const FE::PlateParameters          &plate,
+               const std::vector<Fracture::Crack> &cracks);
 } // namespace Morsel
 
 #endif

@@ -19,7 +19,8 @@ declare -A may_include=(
   [output]="core scene materials fracture fe sph contact jaw measure"
   [simulation]="core scene materials fracture fe sph contact jaw measure output"
   [study]="core scene simulation"
-  [main]="core scene simulation study"
+  [plan]="core scene fracture simulation study"
+  [main]="core scene simulation study plan"
 )
 # Parameters of a room stand beside it and include nothing but core, so that
 # the scene, which holds them all, may name them.

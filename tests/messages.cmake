@@ -38,8 +38,25 @@ add_message_test(set_word_for_number 2 "'Time/End time' = 'long'.*a number" ${pe
                  --set "Time/End time=long")
 add_message_test(bad_print_format 2 "xml" --print-parameters xml)
 
-# Cracked plates: one entry of M1 gone wrong.
+# Accuracies that are none, and one that nobody reaches.
 set(m1 ${CMAKE_SOURCE_DIR}/prm/fracture/m1_xfem.prm)
+foreach(accuracy good 0 -0.001 1 100% nan "0.1 percent")
+  string(MAKE_C_IDENTIFIER "plan_${accuracy}" name)
+  add_message_test(${name} 2
+                   "--plan: '${accuracy}' is no accuracy. give a relative error above 0"
+                   ${m1} "--plan=${accuracy}")
+endforeach()
+add_message_test(plan_out_of_reach 2
+                 "no recorded cracked plate reaches 1e-10 %. the best that is known is .* % by 'XFEM"
+                 ${m1} --plan 1e-12)
+add_message_test(plan_study 2 "is a study. give a scene"
+                 ${CMAKE_SOURCE_DIR}/prm/studies/fracture/m2_angle.prm --plan 1e-3)
+add_message_test(plan_bad_scene 2 "Did you mean 'Degree'" ${m1} --plan 1e-3 --set
+                 "XFEM/Degre=2")
+add_message_test(plan_without_record 0 "No record fits scene .*is updated Lagrangian"
+                 ${CMAKE_SOURCE_DIR}/prm/sph/objectivity.prm --plan 1e-3)
+
+# Cracked plates: one entry of M1 gone wrong.
 add_message_test(plate_degree_0 2 "'XFEM/Degree' = '0'.*a whole number from 1 to 8"
                  ${m1} --set "XFEM/Degree=0")
 add_message_test(plate_radius_beyond_plate 2 "'XFEM/Enrichment radius' is 0.02 m. it must be below half the plate's smaller side, 0.005 m"

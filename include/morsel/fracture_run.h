@@ -2,6 +2,8 @@
 #define morsel_fracture_run_h
 
 #include <morsel/core/command_line.h>
+#include <morsel/fracture/plate_scene.h>
+#include <morsel/prediction.h>
 
 #include <string>
 #include <vector>
@@ -27,10 +29,24 @@ namespace Morsel
   default_fracture_parameters(const std::string &format);
 
 
-  /// Reads, checks and runs such a scene, or says what a run would do;
-  /// collective over all ranks. Leaves summary.json, used.prm, run.log,
-  /// stress_intensity.csv (K per ring), crack_opening.csv, tip_stress.csv and
-  /// solution/*.{pvd,vtu} in the folder of results.
+  /// The plate of such a scene, whatever method shall compute it.
+  /// @throws InputError
+  Fracture::PlateScene
+  read_plate_scene(const std::string              &scene_file,
+                   const std::vector<std::string> &overrides);
+
+
+  /// What a run of such a scene would be; on one rank.
+  /// @throws InputError
+  Prediction
+  predict_fracture_scene(const std::string              &scene_file,
+                         const std::vector<std::string> &overrides);
+
+
+  /// Reads, checks and runs such a scene; collective over all ranks. Leaves
+  /// summary.json, used.prm, run.log, stress_intensity.csv (K per ring),
+  /// crack_opening.csv, tip_stress.csv and solution/*.{pvd,vtu} in the folder
+  /// of results.
   /// @throws InputError, NumericalError, FileError
   void
   run_fracture_scene(const CommandLine &command_line);

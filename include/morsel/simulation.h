@@ -2,9 +2,8 @@
 #define morsel_simulation_h
 
 #include <morsel/core/run_options.h>
+#include <morsel/prediction.h>
 #include <morsel/scene/scene.h>
-
-#include <string>
 
 namespace Morsel
 {
@@ -15,11 +14,9 @@ namespace Morsel
   run_simulation(const Scene::Scene &scene, const RunOptions &options);
 
 
-  /// What a run of the scene would be: effects and who asked for them, step,
-  /// counts, predicted time (from a few steps that are thrown away);
-  /// collective.
-  std::string
-  describe_run(const Scene::Scene &scene);
+  /// What a run of the scene would be; collective.
+  Prediction
+  predict_run(const Scene::Scene &scene);
 } // namespace Morsel
 
 #endif

@@ -70,6 +70,11 @@ namespace Morsel
     app.add_flag("--validate",
                  command_line.run.validate_only,
                  "Read and check the scene, say what a run would do");
+    app.add_option("--plan",
+                   command_line.plan,
+                   "Propose method and resolution for a relative error, such "
+                   "as 1e-3 or 0.1%, with predicted time and memory")
+        ->type_name("ACCURACY");
     app.add_option("--print-parameters",
                    command_line.print_parameters,
                    "Print every parameter with default, range, unit and "

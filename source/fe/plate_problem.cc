@@ -192,6 +192,11 @@ namespace Morsel::FE
         parameters.solver == "umfpack"     ? SolverKind::umfpack
         : parameters.solver == "iterative" ? SolverKind::iterative
                                            : SolverKind::multifrontal);
+    // Times are those of all adaptive steps, the rest is of the last one.
+    const SolveReport before = results.solve;
+    results.solve            = problem->get_report();
+    results.solve.assembly_time += before.assembly_time;
+    results.solve.solve_time += before.solve_time;
   }
 
 
@@ -201,15 +206,16 @@ namespace Morsel::FE
     solve_once();
     for (unsigned int step = 0; step < parameters.adaptive_steps; ++step)
       {
+        Timer               timer;
         const Vector<float> errors = estimate_errors(*problem, solution);
         results.estimates.push_back(std::sqrt(Utilities::MPI::sum(
             errors.norm_sqr(), triangulation.get_communicator())));
         mark_largest(triangulation, errors, parameters.refined_share);
         triangulation.execute_coarsening_and_refinement();
+        results.mesh_time += timer.wall_time();
         solve_once();
       }
     results.n_cells = triangulation.n_global_active_cells();
-    results.solve   = problem->get_report();
     // Clapeyron: the loads, at their full size, do twice the strain energy.
     bool by_tractions = true;
     for (unsigned int side = 0; side < 4; ++side)

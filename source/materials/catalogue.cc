@@ -1,10 +1,10 @@
+#include <morsel/core/data_files.h>
 #include <morsel/core/errors.h>
 #include <morsel/materials/catalogue.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 namespace Morsel::Materials
@@ -45,20 +45,7 @@ namespace Morsel::Materials
   std::string
   Catalogue::shipped_file()
   {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    const fs::path  program = fs::read_symlink("/proc/self/exe", error);
-    const fs::path  folder  = program.parent_path();
-    for (const fs::path &candidate :
-         {fs::path(MORSEL_DATA_DIR) / "materials.json",
-          folder / "../share/morsel/materials.json",
-          folder / "../data/materials.json",
-          folder / "data/materials.json"})
-      if (fs::exists(candidate, error))
-        return candidate.lexically_normal().string();
-    throw FileError("The catalogue of materials (materials.json) is neither "
-                    "in '" MORSEL_DATA_DIR "' nor beside the program; give "
-                    "the materials inline or install the program again.");
+    return Morsel::shipped_file("materials.json");
   }
 
 

@@ -1,3 +1,4 @@
+#include <morsel/core/failure.h>
 #include <morsel/core/parameters.h>
 #include <morsel/scene/check.h>
 #include <morsel/scene/complete.h>
@@ -258,6 +259,17 @@ namespace Morsel::Scene
     scene.used_parameters = parameters_as_prm(declaration.prm, false);
     scene.parameters_hash = text_hash(scene.used_parameters);
     return scene;
+  }
+
+
+  Scene
+  read_scene_on_all_ranks(const std::string              &file_name,
+                          const std::vector<std::string> &overrides)
+  {
+    const FirstRank first_rank;
+    Scene           scene;
+    first_rank.run([&] { scene = read_scene(file_name, overrides); });
+    return first_rank.is_this_rank() ? scene : read_scene(file_name, overrides);
   }
 
 

@@ -1,3 +1,4 @@
+#include <morsel/calibration.h>
 #include <morsel/core/atomic_file.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/log.h>
@@ -8,11 +9,13 @@
 #include <morsel/study/runner.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 
 namespace Morsel::Study
@@ -81,16 +84,42 @@ namespace Morsel::Study
     }
 
 
+    /// Of this machine, for studies that measure time; that of the results in
+    /// the folder, if no run is left that could be measured.
+    ordered_json
+    calibration_of(const Study               &study,
+                   const std::vector<Record> &records,
+                   const std::string         &folder)
+    {
+      if (!study.timing)
+        return nullptr;
+      if (std::none_of(records.begin(), records.end(), [](const auto &record) {
+            return record.state == Record::State::not_run;
+          }))
+        {
+          std::ifstream file(folder + "/study.json");
+          const auto    former = ordered_json::parse(file, nullptr, false);
+          return former.is_object()
+                     ? former.value("calibration", ordered_json(nullptr))
+                     : ordered_json(nullptr);
+        }
+      dealii::MultithreadInfo::set_thread_limit(study.threads);
+      return calibration_json();
+    }
+
+
     void
     write_results(const Study            &study,
                   const std::vector<Row> &rows,
+                  const ordered_json     &calibration,
                   const std::string      &folder)
     {
+      ordered_json results   = study_json(study, rows);
+      results["calibration"] = calibration;
       write_atomically(folder + "/study.csv", study_csv(study, rows));
       write_atomically(
           folder + "/study.json",
-          study_json(study, rows)
-                  .dump(2, ' ', false, ordered_json::error_handler_t::replace) +
+          results.dump(2, ' ', false, ordered_json::error_handler_t::replace) +
               "\n");
     }
 
@@ -134,11 +163,13 @@ namespace Morsel::Study
       log << std::endl;
 
       check_results(study, runs, records);
-      write_results(study, evaluate_runs(study, runs, records), folder);
+      const ordered_json calibration = calibration_of(study, records, folder);
+      write_results(
+          study, evaluate_runs(study, runs, records), calibration, folder);
       runner.run([&](const unsigned int run) {
         check_results(study, runs, records);
         const std::vector<Row> rows = evaluate_runs(study, runs, records);
-        write_results(study, rows, folder);
+        write_results(study, rows, calibration, folder);
         log << '[' << std::count_if(records.begin(), records.end(), is_over)
             << '/' << runs.size() << "] " << line_of(study, rows[run])
             << std::endl;

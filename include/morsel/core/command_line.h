@@ -14,6 +14,7 @@ namespace Morsel
     std::string              scene_file;
     std::vector<std::string> overrides;        ///< of --set
     std::string              print_parameters; ///< prm, json, md or empty
+    std::string              plan;             ///< accuracy, or empty
     bool                     resume = false;
     /// output_directory is empty if not given, threads 0.
     RunOptions run;

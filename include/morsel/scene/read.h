@@ -18,6 +18,13 @@ namespace Morsel::Scene
              const std::vector<std::string> &overrides = {});
 
 
+  /// The same on all ranks; the first one reads before the others, so that it
+  /// alone says what is wrong with a bad scene. Collective.
+  Scene
+  read_scene_on_all_ranks(const std::string              &file_name,
+                          const std::vector<std::string> &overrides);
+
+
   /// How print_parameters() writes.
   enum class ParameterFormat
   {

@@ -1,0 +1,35 @@
+#include "trial_steps.h"
+
+#include "costs.h"
+
+#include <deal.II/base/utilities.h>
+
+namespace Morsel
+{
+  void
+  predict_steps(Prediction         &prediction,
+                const Scene::Scene &scene,
+                const double        n_particles,
+                const Times        &step_time,
+                const double        n_steps)
+  {
+    const Costs  costs;
+    const double samples =
+        std::min<double>(scene.output.history_samples, prediction.steps);
+    const double frames =
+        scene.output.fields
+            ? std::min<double>(scene.output.field_frames, prediction.steps)
+            : 0.;
+    const double all = n_steps + samples * costs.figure("sample") +
+                       frames * costs.figure("frame");
+    const Times start            = start_time();
+    prediction.seconds           = start.wall + all * step_time.wall;
+    prediction.processor_seconds = start.processor + all * step_time.processor;
+    // The body stands already; frames and accounts come on top of it.
+    dealii::Utilities::System::MemoryStats memory;
+    dealii::Utilities::System::get_memory_stats(memory);
+    prediction.bytes =
+        1024. * memory.VmHWM + n_particles * costs.figure("frame memory");
+    prediction.basis = "steps tried now";
+  }
+} // namespace Morsel
