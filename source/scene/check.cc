@@ -42,8 +42,58 @@ namespace Morsel::Scene
     }
 
 
+    /// How far a lattice of n columns and the nearest number of rows is off
+    /// the body's height, relative.
+    double
+    misfit_of_rows(const ParticleBody &body, const unsigned int n)
+    {
+      const double rows = body.shape.extent(1) / body.shape.extent(0) * n;
+      return std::abs(std::round(rows) / rows - 1.);
+    }
+
+
+    /// Plates touch particles half a spacing off: rows closer than the columns
+    /// would press on them from the start.
     void
-    check_particles(const ParticleBody &body, Findings &findings)
+    check_rows(const ParticleBody &body,
+               const bool          between_plates,
+               Findings           &findings)
+    {
+      constexpr double   tolerance = 1e-6;
+      const unsigned int n         = body.particles_across;
+      const double       misfit    = misfit_of_rows(body, n);
+      if (!(misfit > tolerance))
+        return;
+      const std::string path =
+          "Body " + body.name + "/Particles/Particles across";
+      if (!between_plates)
+        {
+          findings.advise(path,
+                          "the height is not a multiple of the spacing " +
+                              number_text(body.spacing) +
+                              " m; the lattice is " + percent(misfit) +
+                              " off the body's height.");
+          return;
+        }
+      std::string example;
+      for (unsigned int k = 1; k < n && example.empty(); ++k)
+        for (const unsigned int other : {n + k, n - k})
+          if (other > 3 && example.empty() &&
+              misfit_of_rows(body, other) <= tolerance)
+            example = ", for instance " + std::to_string(other);
+      findings.mistake(path,
+                       "the height is not a multiple of the spacing " +
+                           number_text(body.spacing) +
+                           " m, so that rows would press on the plates from "
+                           "the start; take a number for which it is" +
+                           example + ".");
+    }
+
+
+    void
+    check_particles(const ParticleBody &body,
+                    const bool          between_plates,
+                    Findings           &findings)
     {
       const std::string path =
           "Body " + body.name + "/Particles/Particles across";
@@ -81,13 +131,8 @@ namespace Morsel::Scene
                             number_text(count * 2e-6) +
                             " GB of memory and a long time.");
 
-      const double misfit = std::abs(
-          body.particles_high() * body.spacing / body.shape.extent(1) - 1.);
-      if (body.is_plain_lattice() && misfit > 1e-6)
-        findings.advise(path,
-                        "the height is not a multiple of the spacing " +
-                            number_text(body.spacing) + " m; the lattice is " +
-                            percent(misfit) + " off the body's height.");
+      if (body.is_plain_lattice())
+        check_rows(body, between_plates, findings);
     }
 
 
@@ -372,7 +417,7 @@ namespace Morsel::Scene
     check_geometry(scene, findings);
     for (const ParticleBody &body : scene.particle_bodies)
       {
-        check_particles(body, findings);
+        check_particles(body, !scene.rigid_bodies.empty(), findings);
         check_material(body, scene, findings);
       }
     // What follows divides by moduli, spacings and extents.
