@@ -1,6 +1,7 @@
 #include <morsel/core/errors.h>
 #include <morsel/study/analysis.h>
 #include <morsel/study/claims.h>
+#include <morsel/study/optional_json.h>
 #include <morsel/study/relations.h>
 
 #include <nlohmann/json.hpp>
@@ -13,13 +14,6 @@ namespace Morsel::Study
 
   namespace
   {
-    ordered_json
-    json_of(const std::optional<double> &value)
-    {
-      return value ? ordered_json(*value) : ordered_json(nullptr);
-    }
-
-
     /// Whether a run belongs to one of the series (all if none is named) and
     /// has these values of axes.
     bool

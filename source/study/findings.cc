@@ -1,5 +1,6 @@
 #include <morsel/study/analysis.h>
 #include <morsel/study/findings.h>
+#include <morsel/study/optional_json.h>
 
 #include <nlohmann/json.hpp>
 
@@ -54,13 +55,6 @@ namespace Morsel::Study
     known_error(const Quantity &quantity, const Measured &measured)
     {
       return std::max(std::abs(*measured.error), quantity.accuracy);
-    }
-
-
-    ordered_json
-    json_of(const std::optional<double> &value)
-    {
-      return value ? ordered_json(*value) : ordered_json(nullptr);
     }
 
 

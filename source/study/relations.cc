@@ -1,4 +1,5 @@
 #include <morsel/study/analysis.h>
+#include <morsel/study/optional_json.h>
 #include <morsel/study/relations.h>
 
 #include <nlohmann/json.hpp>
@@ -12,13 +13,6 @@ namespace Morsel::Study
 
   namespace
   {
-    ordered_json
-    json_of(const std::optional<double> &value)
-    {
-      return value ? ordered_json(*value) : ordered_json(nullptr);
-    }
-
-
     /// Sets name_low and name_high.
     void
     set_interval(ordered_json                  &json,

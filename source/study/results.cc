@@ -1,5 +1,6 @@
 #include <morsel/study/claims.h>
 #include <morsel/study/findings.h>
+#include <morsel/study/optional_json.h>
 #include <morsel/study/relations.h>
 #include <morsel/study/results.h>
 
@@ -13,13 +14,6 @@ namespace Morsel::Study
 
   namespace
   {
-    ordered_json
-    json_of(const std::optional<double> &value)
-    {
-      return value ? ordered_json(*value) : ordered_json(nullptr);
-    }
-
-
     /// Unit and meaning of a quantity: its own, or those of the result.
     Result
     description_of(const Quantity &quantity, const std::vector<Row> &rows)

@@ -68,6 +68,13 @@ namespace Morsel::Scene
   check_geometry(const Scene &scene, Findings &findings);
 
 
+  /// Checks that a body has particles enough, not too many, and rows that fit.
+  void
+  check_particles(const ParticleBody &body,
+                  const Scene        &scene,
+                  Findings           &findings);
+
+
   /// Checks that formulation, normalisation, kernel and corrections of a
   /// body go together.
   void
