@@ -28,7 +28,6 @@ COARSE_BLOCK = ["Body food/Particles/Particles across=51"]
 SHORTENED = {
     "almond": COARSE_BLOCK,
     "peanut": COARSE_BLOCK,
-    "peanut_potential": COARSE_BLOCK,
     "raw_carrot": COARSE_BLOCK,
     "m2_sph": ["SPH/Particles along x=100", "SPH/Particles along y=100"],
     "axial_stress_block": ["Time/End time=0.003"],

@@ -19,7 +19,7 @@ import sys
 import numpy as np
 
 # Size exponents of the candidate terms.
-SOLUTION = [{"unknowns": 1}, {"unknowns": 1.5}, {"order": 3}, {"cells": 1},
+SOLUTION = [{"unknowns": 1.2}, {"unknowns": 1.5}, {"order": 3}, {"cells": 1},
             {"cells": 1, "order": 4}]
 FIELDS = [{}, {"parts": 1}, {"cells": 1, "order": 2}]
 FINITE_MEMORY = [{}, {"unknowns": 1.2}, {"parts": 1}, {"order": 6}]
