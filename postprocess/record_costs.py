@@ -19,7 +19,7 @@ import sys
 import numpy as np
 
 # Size exponents of the candidate terms.
-SOLUTION = [{"unknowns": 1}, {"unknowns": 1.5}, {"order": 3}, {"cells": 1},
+SOLUTION = [{"unknowns": 1.2}, {"unknowns": 1.5}, {"order": 3}, {"cells": 1},
             {"cells": 1, "order": 4}]
 FIELDS = [{}, {"parts": 1}, {"cells": 1, "order": 2}]
 FINITE_MEMORY = [{}, {"unknowns": 1.2}, {"parts": 1}, {"order": 6}]
@@ -96,8 +96,16 @@ def main(arguments=None):
                 if options.costs.exists() else {})
     parts = {}
 
-    def study(name, label, solution, memory, fields):
+    first, _ = load(options.folder, "cost_xfem")
+
+    def speed(study, workload):
+        return study["calibration"]["workloads"][workload]["processor_time"]
+
+    def study(name, label, workload, solution, memory, fields):
         found, rows = load(options.folder, name)
+        # All in the time of the machine as it was in the first study.
+        factor = speed(first, workload) / speed(found, workload)
+        rows = [(r[0], factor * r[1], factor * r[2], r[3]) for r in rows]
         source = f"prm/studies/planning/{name}.prm"
         print(label)
         parts[label + " solution"] = {
@@ -106,19 +114,19 @@ def main(arguments=None):
             "bytes": with_program(part(rows, 3, memory, PROGRAM))}
         parts[label + " fields"] = {"study": source,
                                     "seconds": part(rows, 2, fields)}
-        return found
 
-    first = study("cost_xfem", "XFEM", SOLUTION, FINITE_MEMORY, FIELDS)
-    study("cost_particles", "particle plate", PARTICLES, PARTICLE_MEMORY,
-          PARTICLES)
-    study("cost_bodies", "particle body", BODY, PARTICLE_MEMORY, PARTICLES)
+    study("cost_xfem", "XFEM", "finite elements", SOLUTION, FINITE_MEMORY,
+          FIELDS)
+    study("cost_particles", "particle plate", "static particles", PARTICLES,
+          PARTICLE_MEMORY, PARTICLES)
+    study("cost_bodies", "particle body", "static particles", BODY,
+          PARTICLE_MEMORY, PARTICLES)
     document.update(
         about="Costs of parts of runs in processor time [s] and resident "
               "memory [B]: sums of coefficients times powers of sizes. Made by "
               "postprocess/record_costs.py.",
-        program_version=first["program_version"], parts=parts)
-    if first.get("calibration"):
-        document["calibration"] = first["calibration"]
+        program_version=first["program_version"], parts=parts,
+        calibration=first["calibration"])
     document.setdefault("figures", {})
     options.costs.write_text(json.dumps(document, indent=1) + "\n")
     return 0

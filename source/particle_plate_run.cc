@@ -50,6 +50,37 @@ namespace Morsel
     }
 
 
+    /// The plate by at most about a thousand particles, as many along each side
+    /// for one another as before; counts stay even or odd.
+    SPH::PlateParameters
+    coarsened(SPH::PlateParameters plate)
+    {
+      const double step =
+          std::max(1., std::sqrt(1e-3 * plate.particles_x * plate.particles_y));
+      for (unsigned int *n : {&plate.particles_x, &plate.particles_y})
+        *n = *n % 2 + 2 * std::lround(0.5 * *n / step);
+      plate.energy_growth = 0.;
+      return plate;
+    }
+
+
+    /// Times of a solution with the plate's own settings, on which the number
+    /// of iterations depends; it hardly depends on the number of particles.
+    Times
+    trial_solution(const SPH::PlateParameters &plate)
+    {
+      const Timer  timer;
+      const double processor = processor_time();
+      unsigned int n         = 0;
+      do
+        {
+          SPH::PlateProblem(plate, Fracture::make_cracks(plate)).run();
+          ++n;
+      } while (timer.wall_time() < 1. / 3.);
+      return {timer.wall_time() / n, (processor_time() - processor) / n};
+    }
+
+
     void
     add_costs(Output::Summary &summary, const SPH::PlateResults &results)
     {
@@ -134,12 +165,19 @@ namespace Morsel
     prediction.effects  = Output::effects_as_text(effects_of(plate, cracks));
     prediction.unknowns = 2. * n;
     prediction.bytes    = costs.of("particle plate solution", "bytes", sizes);
-    costs.predict_time(
-        prediction,
-        Workload::static_particles,
-        (plate.energy_growth > 0. ? 3. : 1.) *
-                costs.of("particle plate solution", "seconds", sizes) +
-            costs.of("particle plate fields", "seconds", sizes));
+    const auto seconds  = [&](const char *part, const double particles) {
+      return costs.of(part, "seconds", {{"particles", particles}});
+    };
+    const SPH::PlateParameters coarse = coarsened(plate);
+    const double n_coarse = 1. * coarse.particles_x * coarse.particles_y;
+    const double repeats  = ((plate.energy_growth > 0. ? 3. : 1.) *
+                                seconds("particle plate solution", n) +
+                            seconds("particle plate fields", n)) /
+                           seconds("particle plate solution", n_coarse);
+    const Times start = start_time(), trial = trial_solution(coarse);
+    prediction.seconds           = start.wall + repeats * trial.wall;
+    prediction.processor_seconds = start.processor + repeats * trial.processor;
+    prediction.basis = "recorded costs, tried now with fewer particles";
     prediction.count("Particles", n);
     prediction.count("Cracks", cracks.size());
     prediction.count("Crack tips", Fracture::collect_tips(cracks).size());

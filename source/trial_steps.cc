@@ -20,11 +20,15 @@ namespace Morsel
         scene.output.fields
             ? std::min<double>(scene.output.field_frames, prediction.steps)
             : 0.;
-    const double all = n_steps + samples * costs.figure("sample") +
-                       frames * costs.figure("frame");
-    const Times start            = start_time();
-    prediction.seconds           = start.wall + all * step_time.wall;
-    prediction.processor_seconds = start.processor + all * step_time.processor;
+    const double tasks = n_particles * (samples * costs.figure("sample") +
+                                        frames * costs.figure("frame"));
+    const Times  start = start_time();
+    const Times  task  = measure(Workload::explicit_particles);
+    prediction.seconds =
+        start.wall + n_steps * step_time.wall + tasks * task.wall;
+    prediction.processor_seconds = start.processor +
+                                   n_steps * step_time.processor +
+                                   tasks * task.processor;
     // The body stands already; frames and accounts come on top of it.
     dealii::Utilities::System::MemoryStats memory;
     dealii::Utilities::System::get_memory_stats(memory);

@@ -21,8 +21,9 @@ namespace Morsel
   trial_step_time(System &system, double steps_of_run);
 
 
-  /// Time and memory of a run of steps: its samples and frames cost as much
-  /// as a recorded number of steps each; the program's start is added.
+  /// Time and memory of a run of steps: for each particle, its samples and
+  /// frames cost recorded numbers of Workload::explicit_particles; the
+  /// program's start is added.
   /// @param step_time of trial steps [s]
   /// @param n_steps that cost as much as all of the run's
   void

@@ -72,7 +72,8 @@ namespace Morsel::Plan
         const ordered_json document =
             ordered_json::parse(stream, nullptr, false);
         // Costs have no kind.
-        if (document.is_object() && document.value("kind", "") == kind)
+        if (document.is_object() && document.contains("kind") &&
+            document["kind"] == kind)
           records.push_back(read_record(document, file));
         else if (document.is_discarded())
           throw FileError("The record '" + file + "' is no JSON.");
