@@ -138,6 +138,16 @@ namespace Morsel
 
 
   Times
+  time_of(const std::function<void()> &task)
+  {
+    const auto   begin  = Clock::now();
+    const double before = processor_time();
+    task();
+    return {seconds_since(begin), processor_time() - before};
+  }
+
+
+  Times
   measure(const Workload workload)
   {
     const auto task =
@@ -146,15 +156,15 @@ namespace Morsel
                                                  : explicit_particle_task();
     task();
     constexpr double duration = 1. / 3.; // [s]
-    const auto       begin    = Clock::now();
-    const double     before   = processor_time();
-    unsigned int     n        = 0;
-    do
+    Times            sum;
+    unsigned int     n = 0;
+    for (; sum.wall < duration; ++n)
       {
-        task();
-        ++n;
-    } while (seconds_since(begin) < duration);
-    return {seconds_since(begin) / n, (processor_time() - before) / n};
+        const Times time = time_of(task);
+        sum.wall += time.wall;
+        sum.processor += time.processor;
+      }
+    return {sum.wall / n, sum.processor / n};
   }
 
 

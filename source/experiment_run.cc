@@ -11,13 +11,43 @@
 #include <morsel/core/failure.h>
 #include <morsel/core/signals.h>
 #include <morsel/core/suggestions.h>
+#include <morsel/measure/crack_gauge.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <sstream>
 
 namespace Morsel
 {
+  namespace
+  {
+    /// Adds what stress intensities in every sample take.
+    void
+    predict_gauges(const Scene::Scene &scene,
+                   const Experiment   &experiment,
+                   Prediction         &prediction)
+    {
+      const double samples =
+          std::min<double>(scene.output.history_samples, prediction.steps);
+      for (unsigned int b = 0; b < scene.particle_bodies.size(); ++b)
+        {
+          if (scene.particle_bodies[b].cracks.paths.empty())
+            continue;
+          std::unique_ptr<Measure::CrackGauge> gauge;
+          const Times                          set_up = time_of([&] {
+            gauge = std::make_unique<Measure::CrackGauge>(
+                scene.particle_bodies[b], *experiment.bodies()[b], scene.seed);
+          });
+          const Times reading = time_of([&] { gauge->evaluate(); });
+          prediction.seconds += set_up.wall + samples * reading.wall;
+          prediction.processor_seconds +=
+              set_up.processor + samples * reading.processor;
+        }
+    }
+  } // namespace
+
+
   void
   run_experiment(const Scene::Scene &scene, const RunOptions &options)
   {
@@ -91,6 +121,7 @@ namespace Morsel
                   experiment.particle_count(),
                   trial_step_time(experiment, steps),
                   steps);
+    predict_gauges(scene, experiment, prediction);
     return prediction;
   }
 } // namespace Morsel

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ namespace Morsel
     double wall      = 0.; ///< with the threads in use
     double processor = 0.; ///< of all threads
   };
+
+  /// What a call takes.
+  Times
+  time_of(const std::function<void()> &task);
 
   /// What the task takes: the mean over as many repetitions as fit into a
   /// third of a second after a first one that does not count, since what

@@ -3,7 +3,8 @@
 #include <morsel/core/errors.h>
 #include <morsel/fracture_run.h>
 #include <morsel/scene/read.h>
-#include <morsel/study/study.h>
+#include <morsel/study/collection.h>
+#include <morsel/study/run_study.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -21,9 +22,11 @@ namespace
 
 
   bool
-  advises(const std::vector<std::string> &overrides, const std::string &part)
+  advises(const std::vector<std::string> &overrides,
+          const std::string              &part,
+          const std::string              &base = peanut)
   {
-    const Scene::Scene scene = Scene::read_scene(peanut, overrides);
+    const Scene::Scene scene = Scene::read_scene(base, overrides);
     for (const std::string &text : scene.warnings)
       if (text.find(part) != std::string::npos)
         return true;
@@ -67,7 +70,8 @@ BOOST_AUTO_TEST_CASE(all_shipped_scenes_are_good)
     // Cracked plates and studies have readers of their own.
     if (file.path().extension() == ".prm" &&
         !is_fracture_scene(file.path().string(), {}) &&
-        !Study::is_study(file.path().string()))
+        !Study::is_study(file.path().string()) &&
+        !Study::is_collection(file.path().string()))
       {
         BOOST_TEST_CONTEXT(file.path())
         {
@@ -76,6 +80,20 @@ BOOST_AUTO_TEST_CASE(all_shipped_scenes_are_good)
         ++n_scenes;
       }
   BOOST_TEST(n_scenes >= 3u);
+}
+
+
+BOOST_AUTO_TEST_CASE(all_shipped_studies_are_sound)
+{
+  for (const auto &file : std::filesystem::recursive_directory_iterator(
+           MORSEL_SOURCE_DIR "/prm/studies"))
+    if (file.is_regular_file() && Study::is_study(file.path().string()))
+      BOOST_TEST_CONTEXT(file.path())
+      {
+        BOOST_CHECK_NO_THROW(Study::prepare_study(file.path().string(), {}, 0));
+        BOOST_CHECK_NO_THROW(Study::prepare_study(
+            file.path().string(), {"Study/Quick=true"}, 0));
+      }
 }
 
 
@@ -169,8 +187,9 @@ BOOST_AUTO_TEST_CASE(unwise_choices_bring_advice)
   BOOST_TEST(advises({"Time/Time step=6e-7"}, "close to the stable step"));
   BOOST_TEST(advises({"Body upper plate/Shape/Lower corner=-0.005, 0.0105"},
                      "a way that takes 0.005 s"));
-  BOOST_TEST(advises({"Body food/Shape/Upper corner=0.01, 0.00995"},
-                     "not a multiple of the spacing"));
+  BOOST_TEST(advises({"Body block/Particles/Particles across=61"},
+                     "not a multiple of the spacing",
+                     MORSEL_SOURCE_DIR "/prm/sph/tension_block.prm"));
 }
 
 
