@@ -76,6 +76,17 @@ namespace Morsel::SPH
     }
 
   private:
+    /// Damage this close to one is failure: nothing measurable is left.
+    static constexpr double failure_damage = 0.999;
+
+    /// A particle that loses bonds.
+    struct Touched
+    {
+      unsigned int particle;
+      double       energy_before; ///< mean_energy() with all its bonds [J]
+      Materials::Tensor2 gradient_before; ///< gradient_ahead() with them [1]
+    };
+
     void
     find_groups_nearby();
 
@@ -146,11 +157,8 @@ namespace Morsel::SPH
     const double                friend_distance_square;
     const double                hourglass_stiffness;
 
-    std::vector<unsigned int> newly_failed, failed_now, touched, suspects;
-    std::vector<double>       energy_before;
-    /// Gradients of touched particles at the end of the coming step, had
-    /// nothing been cut.
-    std::vector<Materials::Tensor2>            gradient_before;
+    std::vector<unsigned int> newly_failed, failed_now, suspects;
+    std::vector<Touched>      touched;
     std::map<unsigned int, Materials::Tensor2> gradient_of_doomed;
     std::vector<char>                          is_touched, exposed;
     std::vector<char>                          is_direct; ///< entries of bonds

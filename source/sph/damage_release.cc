@@ -1,0 +1,220 @@
+#include <morsel/sph/damage_evolution.h>
+
+#include <algorithm>
+
+namespace Morsel::SPH
+{
+  namespace
+  {
+    /// Below this smallest eigenvalue of the moment matrix, as a share of that
+    /// inside of a body, the remaining bonds do not span the plane any more.
+    constexpr double smallest_moment = 0.05;
+  } // namespace
+
+
+  void
+  DamageEvolution::break_up()
+  {
+    // Cutting bonds can leave others with too few of them: those fail too.
+    while (!failed_now.empty())
+      {
+        const std::vector<unsigned int> batch = failed_now;
+        failed_now.clear();
+        for (const unsigned int i : batch)
+          fail(i);
+        newly_failed.insert(newly_failed.end(), batch.begin(), batch.end());
+        settle_touched();
+      }
+    gradient_of_doomed.clear();
+    for (const unsigned int i : newly_failed)
+      {
+        const unsigned int g     = i / group_size;
+        const auto         first = particles.failed.begin() + g * group_size;
+        const auto         last =
+            first + std::min(group_size, particles.n_owned - g * group_size);
+        if (std::all_of(first, last, [](const char f) { return f != 0; }))
+          bonds.retire(g);
+      }
+  }
+
+
+  void
+  DamageEvolution::release_damage(const unsigned int i, const double new_damage)
+  {
+    const double old = particles.damage[i];
+    if (new_damage <= old)
+      return;
+    const double D = new_damage >= failure_damage ? 1. : new_damage;
+    particles.damage_heat[i] += mean_energy(i, old) - mean_energy(i, D);
+    particles.damage[i]    = D;
+    particles.hourglass[i] = hourglass_stiffness * (1. - D);
+  }
+
+
+  double
+  DamageEvolution::energy(const unsigned int        i,
+                          const Materials::Tensor2 &H,
+                          const double              residual,
+                          const double              damage) const
+  {
+    return particles.volume(i) *
+               Materials::stored_energy(law.softening,
+                                        material,
+                                        response_to(H, material, linear_law),
+                                        damage) +
+           hourglass_stiffness * (1. - damage) * residual;
+  }
+
+
+  double
+  DamageEvolution::mean_energy(const unsigned int i, const double damage) const
+  {
+    return 0.5 * (energy(i,
+                         particles.gradient[i],
+                         fit_residual(particles, bonds, i),
+                         damage) +
+                  energy(i,
+                         gradient_ahead(i),
+                         fit_residual(particles, bonds, i, time_step),
+                         damage));
+  }
+
+
+  Materials::Tensor2
+  DamageEvolution::gradient_ahead(const unsigned int i) const
+  {
+    const auto doomed = gradient_of_doomed.find(i);
+    return doomed == gradient_of_doomed.end()
+               ? displacement_gradient(particles, bonds, i, time_step)
+               : doomed->second;
+  }
+
+
+  void
+  DamageEvolution::fail(const unsigned int i)
+  {
+    particles.failed[i] = 1;
+    failed_area += particles.area[i];
+    for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
+      {
+        const unsigned int j = bonds.list.index[k];
+        if (bonds.live[k])
+          {
+            const double r =
+                (particles.position(j) - particles.position(i)).norm();
+            contact_diameter[i] = std::min(contact_diameter[i], r);
+            cut(k, i);
+          }
+      }
+
+    // Longer bonds that passed by here may have lost their chain, and each one
+    // that is cut was perhaps a link of longer ones at both its ends.
+    suspects.assign(bonds.list.index.begin() + bonds.list.start[i],
+                    bonds.list.index.begin() + bonds.list.start[i + 1]);
+    while (!suspects.empty())
+      {
+        const unsigned int j = suspects.back();
+        suspects.pop_back();
+        cut_unsupported(j);
+      }
+  }
+
+
+  void
+  DamageEvolution::cut_unsupported(const unsigned int i)
+  {
+    if (particles.failed[i])
+      return;
+    bool any = false;
+    for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
+      if (bonds.live[k] && !is_direct[k] &&
+          bonds.length_square(k) > friend_distance_square && !supported(i, k))
+        {
+          cut(k, i);
+          suspects.push_back(bonds.list.index[k]);
+          any = true;
+        }
+    if (any)
+      suspects.push_back(i);
+  }
+
+
+  bool
+  DamageEvolution::supported(const unsigned int i, const unsigned int k) const
+  {
+    const unsigned int j     = bonds.list.index[k];
+    const double       limit = (1. - 1e-9) * bonds.length_square(k);
+    for (unsigned int l = bonds.list.start[i]; l < bonds.list.start[i + 1]; ++l)
+      if (bonds.live[l] && bonds.length_square(l) < limit)
+        {
+          const long m = bonds.find(bonds.list.index[l], j);
+          if (m >= 0 && bonds.live[m] && bonds.length_square(m) < limit)
+            return true;
+        }
+    return false;
+  }
+
+
+  void
+  DamageEvolution::cut(const unsigned int k, const unsigned int i)
+  {
+    const unsigned int j = bonds.list.index[k];
+    touch(i);
+    touch(j);
+    bonds.cut(k);
+    exposed[i] = exposed[j] = 1;
+  }
+
+
+  void
+  DamageEvolution::touch(const unsigned int i)
+  {
+    if (is_touched[i])
+      return;
+    is_touched[i] = 1;
+    touched.push_back(
+        {i, mean_energy(i, particles.damage[i]), gradient_ahead(i)});
+  }
+
+
+  void
+  DamageEvolution::settle_touched()
+  {
+    for (const auto &[i, energy_before, gradient_before] : touched)
+      {
+        is_touched[i] = 0;
+        if (particles.failed[i])
+          {
+            particles.driver[i] = 0.;
+            // What pressure it carries goes on in the granular response.
+            particles.pair_stress[i] = {0., 0., 0., 0.};
+            if (bonds.is_conforming())
+              particles.fit_stress[i] = {0., 0., 0., 0.};
+            particles.hourglass[i] = 0.;
+            // As a grain it goes on from where its bonds had it go.
+            heat_of_bonds += energy_before -
+                             0.5 * (energy(i, particles.gradient[i], 0., 1.) +
+                                    energy(i, gradient_before, 0., 1.));
+            continue;
+          }
+        const Symmetric2 m = bonds.moment(i);
+        if (smaller_eigenvalue(m) < smallest_moment * bonds.full_moment)
+          {
+            // Its energy is released when it fails, right after this.
+            gradient_of_doomed[i] = gradient_before;
+            heat_of_bonds +=
+                energy_before - mean_energy(i, particles.damage[i]);
+            release_damage(i, 1.);
+            failed_now.push_back(i);
+            continue;
+          }
+        if (bonds.is_conforming())
+          renew_conforming(particles, bonds, i);
+        else
+          particles.shape[i] = inverse(m);
+        particles.gradient[i] = displacement_gradient(particles, bonds, i);
+        heat_of_bonds += energy_before - mean_energy(i, particles.damage[i]);
+      }
+    touched.clear();
+  }
+} // namespace Morsel::SPH
