@@ -57,8 +57,7 @@ namespace Morsel::SPH
             pair_kernels().average_driver[static_cast<int>(law.driver)])
       , average_stress(parameters.average_stress)
       , friend_distance_square(friend_distance * friend_distance)
-      , hourglass_stiffness(
-            particles.hourglass.empty() ? 0. : particles.hourglass[0])
+      , hourglass_stiffness(loop_constants.uniform_hourglass)
       , is_touched(particles.n_local, 0)
       , exposed(particles.n_local, 0)
       , contact_diameter(particles.n_local, particles.spacing)
