@@ -1,6 +1,7 @@
 """Curves over the stroke: force, stress, energy, and the pieces' sizes."""
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from . import style
 
@@ -194,9 +195,7 @@ def energy_ledger(run):
 
 def fragment_sizes(run):
     """The fragments' shares of the food, the largest first, with their sum."""
-    share = run.fragments.get("mass share")
-    if share is None:
-        share = run.fragments.get("mass_share")
+    share = run.fragments.get("mass_share")
     if share is None or len(share) == 0:
         return None
     share = np.sort(share)[::-1]
@@ -252,6 +251,9 @@ def fragment_distribution(run):
                       (factor * median, 50), xytext=(-6, 5), ha="right",
                       textcoords="offset points", fontsize=9)
     axes.set_xscale("log")
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.xaxis.set_major_formatter("{x:g}")
+    axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_xlim(left, 1.3 * diameter[-1])
     axes.set_ylim(0, 102)
     axes.set_xlabel(f"Diameter of a piece (circle of equal area) [{unit}]")

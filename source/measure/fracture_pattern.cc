@@ -139,22 +139,21 @@ namespace Morsel::Measure
                     box.first,
                     extent.norm() + spacing};
 
-    double          sum = 0., angle = 0.;
+    double          sum = 0., degrees = 0.; // of the best, from x
     FracturePattern pattern;
     for (unsigned int k = 0; k < n_directions; ++k)
       {
-        const double a     = pi * k / n_directions;
-        const double share = explained_at_best(body, a);
+        const double share = explained_at_best(body, pi * k / n_directions);
         sum += share;
         if (share > pattern.explained)
           {
             pattern.explained = share;
-            angle             = a;
+            degrees           = 180. * k / n_directions;
           }
       }
     // Against the axis, whichever way it turns.
-    const double turned   = std::abs(angle - (axis == 0 ? 0. : 0.5 * pi));
-    pattern.angle         = 180. / pi * std::min(turned, pi - turned);
+    const double turned   = std::abs(degrees - (axis == 0 ? 0. : 90.));
+    pattern.angle         = std::min(turned, 180. - turned);
     pattern.sharpness     = pattern.explained - sum / n_directions;
     pattern.damaged_share = moments.mean;
     return pattern;
