@@ -58,8 +58,7 @@ namespace Morsel::SPH
             pair_kernels().average_driver[static_cast<int>(law.driver)])
       , average_stress(parameters.average_stress)
       , friend_distance_square(friend_distance * friend_distance)
-      , hourglass_stiffness(
-            particles.hourglass.empty() ? 0. : particles.hourglass[0])
+      , hourglass_stiffness(loop_constants.uniform_hourglass)
       , is_touched(particles.n_local, 0)
       , exposed(particles.n_local, 0)
       , contact_diameter(particles.n_local, particles.spacing)
@@ -277,8 +276,9 @@ namespace Morsel::SPH
     const Materials::ElasticResponse response =
         response_to(particles.gradient[i], material, linear_law);
     const double energy =
-        response.deviatoric_energy +
-        (response.jacobian < 1. ? 0. : response.volumetric_energy);
+        particles.modulus_factor(i) *
+        (response.deviatoric_energy +
+         (response.jacobian < 1. ? 0. : response.volumetric_energy));
     const Materials::Softened now =
         Materials::energy_softening(law,
                                     material,

@@ -52,6 +52,8 @@ namespace Morsel::SPH
     const Vector2            *own_sum;         ///< sum_j G_ij
     const Materials::Tensor2 *deficit;
     PairStress               *fit_stress;
+
+    const double *modulus; ///< over the body's [1]; null where it is uniform
   };
 
 

@@ -51,6 +51,10 @@ namespace Morsel::SPH
     std::vector<PairStress> fit_stress;
     std::vector<double>     hourglass; ///< alpha E (1 - D) [Pa]
 
+    /// Elastic moduli over the body's [1]; allocated only where they scatter
+    /// from grain to grain (Materials::GrainField).
+    std::vector<double> modulus;
+
     /// Energy turned into heat by artificial viscosity so far [J], owned;
     /// allocated only with viscosity.
     std::vector<double> viscous_heat;
@@ -80,6 +84,13 @@ namespace Morsel::SPH
     volume(const unsigned int i) const
     {
       return area[i] * depth;
+    }
+
+    /// Elastic moduli of a particle over the body's [1].
+    double
+    modulus_factor(const unsigned int i) const
+    {
+      return modulus.empty() ? 1. : modulus[i];
     }
 
     double
