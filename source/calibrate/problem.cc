@@ -4,9 +4,8 @@
 #include <morsel/core/suggestions.h>
 #include <morsel/fracture_run.h>
 #include <morsel/scene/read.h>
+#include <morsel/study/record.h>
 #include <morsel/study/study.h>
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 
@@ -24,14 +23,12 @@ namespace Morsel::Calibrate
                const std::string              &other_body)
     {
       std::vector<std::string> result;
-      const auto parameters = nlohmann::json::parse(Scene::print_parameters(
-          Scene::ParameterFormat::json, file, overrides));
-      for (const char *part : {"Material", "Damage"})
-        for (const auto &p : parameters)
-          if (p["section"] == "Body " + body + "/" + part)
-            result.push_back("Body " + other_body + "/" + part + "/" +
-                             p["entry"].get<std::string>() + "=" +
-                             p["value"].get<std::string>());
+      for (const auto &[path, value] : Study::scene_values(file, overrides))
+        for (const char *part : {"/Material/", "/Damage/"})
+          if (const std::string section = "Body " + body + part;
+              path.rfind(section, 0) == 0)
+            result.push_back("Body " + other_body + part +
+                             path.substr(section.size()) + "=" + value);
       return result;
     }
 
