@@ -154,7 +154,8 @@ namespace Morsel::Calibrate
     if (!outcome.converged)
       throw NumericalError(
           "--calibrate: after " + std::to_string(outcome.rounds.size()) +
-          " rounds the best is still " +
+          (outcome.rounds.size() == 1 ? " round" : " rounds") +
+          " the best is still " +
           number_text(100. * outcome.best().largest_error()) +
           " % from its target, the tolerance being " +
           number_text(100. * problem.parameters.tolerance) +

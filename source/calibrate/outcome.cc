@@ -1,5 +1,6 @@
 #include <morsel/calibrate/outcome.h>
 #include <morsel/core/suggestions.h>
+#include <morsel/materials/catalogue.h>
 #include <morsel/study/optional_json.h>
 
 #include <nlohmann/json.hpp>
@@ -156,13 +157,18 @@ namespace Morsel::Calibrate
   ordered_json
   catalogue_damage(const Problem &problem, const Round &round)
   {
-    return {{"threshold_factor", round.threshold_factor},
-            {"weibull_modulus", problem.damage.weibull_modulus},
-            {"strength_ratio", round.strength_ratio},
-            {"flaws", problem.damage.flaws},
-            {"scene", problem.file},
-            {"particles_across", problem.particles_across},
-            {"seeds", problem.parameters.seeds}};
+    Materials::CatalogueDamage damage;
+    damage.threshold_factor = round.threshold_factor;
+    damage.weibull_modulus  = problem.damage.weibull_modulus;
+    damage.strength_ratio   = round.strength_ratio;
+    damage.fracture_energy  = problem.damage.fracture_energy;
+    damage.flaws            = problem.damage.flaws;
+    if (problem.damage.flaws == "correlated")
+      damage.correlation_length = problem.damage.correlation_length;
+    damage.scene            = problem.file;
+    damage.particles_across = problem.particles_across;
+    damage.seeds            = problem.parameters.seeds;
+    return Materials::as_json(damage);
   }
 
 

@@ -213,6 +213,7 @@ namespace Morsel::Scene
         {
           // Copies, since setting an entry sets the bound member, too.
           const Materials::MaterialParameters material = body.material;
+          const Materials::DamageParameters   damage   = body.damage;
           const std::string                   mesh     = body.shape.mesh_file;
           prm.enter_subsection("Body " + body.name);
           prm.enter_subsection("Shape");
@@ -225,6 +226,14 @@ namespace Morsel::Scene
           prm.set("Toughness", exact_text(material.toughness));
           prm.set("Compressive strength",
                   exact_text(material.compressive_strength));
+          prm.leave_subsection();
+          prm.enter_subsection("Damage");
+          prm.set("Flaws", damage.flaws);
+          prm.set("Correlation length", exact_text(damage.correlation_length));
+          prm.set("Weibull modulus", exact_text(damage.weibull_modulus));
+          prm.set("Strength ratio", exact_text(damage.strength_ratio));
+          prm.set("Fracture energy", exact_text(damage.fracture_energy));
+          prm.set("Threshold factor", exact_text(damage.threshold_factor));
           prm.leave_subsection();
           prm.leave_subsection();
         }
