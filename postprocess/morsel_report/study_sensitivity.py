@@ -42,18 +42,14 @@ def value_text(entry, change, side):
             else style.plain(change[side]["value"]))
 
 
-def signed_percent(share):
-    """+1.2 % with a minus sign that is one."""
-    return f"{100 * share:+.2g}\u202f%".replace("-", "−")
-
-
 def end_text(end):
     """"+1.2 ± 0.3 %" of one end of a variation."""
     if end is None:
         return "–"
     error = end.get("standard_error")
-    return signed_percent(end["change"]) + (
-        f" ±\u202f{100 * error:.1g}" if error else "")
+    change = f"{100 * end['change']:+.2g}" if end["change"] else "0"
+    return (change.replace("-", "−")
+            + (f" ±\u202f{100 * error:.1g}" if error else "") + "\u202f%")
 
 
 def tornado_table(study, quantity):

@@ -112,9 +112,15 @@ namespace Morsel::Calibrate
       while (!outcome.converged &&
              outcome.rounds.size() < problem.parameters.rounds)
         {
-          Round round = round_of(problem, search);
-          log << "Round " << outcome.rounds.size() + 1 << ": " << std::flush;
-          carry_out(problem, outcome.rounds.size() + 1, round, folder, threads);
+          Round              round  = round_of(problem, search);
+          const unsigned int number = outcome.rounds.size() + 1;
+          carry_out(problem,
+                    number,
+                    round,
+                    folder,
+                    threads,
+                    [&](const std::string &line) { log << line << std::endl; });
+          log << "Round " << number << ": ";
           tell(problem, round, log);
           std::vector<double> ratios;
           for (const Measurement &m : round.targets)

@@ -119,15 +119,18 @@ namespace Morsel::Calibrate
 
     /// How well a mean is known.
     std::string
-    scatter_text(const Measurement &measurement, const double tolerance)
+    scatter_text(const std::string &name,
+                 const Measurement &measurement,
+                 const double       tolerance)
     {
       if (!measurement.standard_error)
         return "One seed tells nothing about the scatter: other seeds may well "
                "be several per cent off.";
       const double error = *measurement.standard_error;
-      std::string  text =
-          "Seeds scatter by " + percent(*measurement.deviation, false) +
-          ", so the mean has a standard error of " + percent(error, false);
+      std::string  text  = "The " + name + " scatters over the seeds by " +
+                         percent(*measurement.deviation, false) +
+                         ", so the mean has a standard error of " +
+                         percent(error, false);
       if (error <= tolerance)
         return text + ".";
       const double ratio = *measurement.deviation / tolerance;
@@ -231,8 +234,10 @@ namespace Morsel::Calibrate
             " particles across, round " +
             std::to_string(&round - outcome.rounds.data() + 1) + " of " +
             std::to_string(outcome.rounds.size()) + ").";
-    for (const Measurement &measurement : round.targets)
-      text += " " + scatter_text(measurement, problem.parameters.tolerance);
+    for (unsigned int t = 0; t < problem.targets.size(); ++t)
+      text += " " + scatter_text(problem.targets[t].name,
+                                 round.targets[t],
+                                 problem.parameters.tolerance);
     const std::string entry = problem.material.name == "inline"
                                   ? "an entry of data/materials.json"
                                   : "the entry '" + problem.material.name +

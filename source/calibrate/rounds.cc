@@ -173,21 +173,26 @@ namespace Morsel::Calibrate
 
 
   void
-  carry_out(const Problem     &problem,
-            const unsigned int number,
-            Round             &round,
-            const std::string &folder,
-            const unsigned int threads)
+  carry_out(const Problem                                  &problem,
+            const unsigned int                              number,
+            Round                                          &round,
+            const std::string                              &folder,
+            const unsigned int                              threads,
+            const std::function<void(const std::string &)> &tell)
   {
     const Study::Study study      = study_of(problem, threads);
     const auto         runs       = runs_of(problem, number, round);
     const auto         parameters = parameters_of(problem, runs);
     Study::Runner      runner(study, runs, parameters, folder);
-    // A mistake that all runs share shows in the first one.
     runner.run([&](const unsigned int r) {
       const Study::Record &record = runner.get_records()[r];
-      if (record.state == Study::Record::State::finished)
-        value_of(problem.targets[runs[r].series], record);
+      // A mistake that all runs share shows in the first one.
+      tell(runs[r].label + ": " +
+           (record.state == Study::Record::State::finished
+                ? number_text(
+                      value_of(problem.targets[runs[r].series], record)) +
+                      " Pa"
+                : "failed"));
     });
     round.targets.clear();
     for (unsigned int t = 0; t < problem.targets.size(); ++t)

@@ -104,8 +104,13 @@ namespace Morsel::Calibrate
     last_x = x;
     last_f = f;
 
-    const std::vector<double> step    = solve(exponents, f);
-    const double              largest = std::log(2.);
+    // Differences of noisy measures may make a slope as small as one likes.
+    std::vector<double> step  = solve(exponents, f);
+    const double        limit = 2. * size_of(solve(first_exponents, f));
+    if (const double size = size_of(step); size > limit)
+      for (double &s : step)
+        s *= limit / size;
+    const double largest = std::log(2.);
     for (unsigned int j = 0; j < n; ++j)
       current[j] = with_five_digits(
           std::exp(x[j] - std::max(-largest, std::min(largest, step[j]))));

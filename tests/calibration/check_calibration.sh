@@ -3,7 +3,8 @@
 # ended, and says what went wrong.
 #   check_calibration.sh MORSEL FOLDER_OF_THIS_FILE
 set -uo pipefail
-morsel="$1" scene="$2/stroke.prm"
+morsel="$(readlink -f "$1")" scenes="$(readlink -f "$2")"
+scene="$scenes/stroke.prm"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -33,7 +34,8 @@ grep -q '"damage": {"threshold_factor":'"$factor" 1.log ||
   complain "the catalogue's object is missing"
 
 # A plain run with the factor gives what was told for its seed.
-"$morsel" "$scene" --output plain --set "Body food/Particles/Particles across=15" \
+"$morsel" "$scene" --output plain --set Output/Fields=false \
+  --set "Body food/Particles/Particles across=15" \
   --set "Body food/Damage/Threshold factor=$factor" >2.log 2>&1 ||
   complain "the plain run failed"
 [ "$(value_of "abs(json.load(open('plain/summary.json'))['compressive_strength']['value']
@@ -75,3 +77,11 @@ grep -q "^morsel: .*after 1 round the best is still" 6.log &&
 [ $? -eq 2 ] || complain "an unknown result did not end with 2"
 grep -q "Did you mean 'compressive_strength'" 7.log ||
   complain "an unknown result is not explained"
+
+# Two strengths together, the tensile one from a scene of its own.
+"$morsel" --calibrate "$scenes/two_strengths.prm" --output out >8.log 2>&1 ||
+  complain "two strengths were not reached"
+[ "$(value_of "all(abs(t['error']) <= 0.02 for t in d['rounds'][-1]['targets']) and len(d['targets']) == 2 and d['strength_ratio'] != 10")" = True ] ||
+  complain "calibration.json does not show two strengths"
+grep -q "set Strength ratio = $(value_of "d['strength_ratio']")" 8.log ||
+  complain "the strength ratio is not told"

@@ -71,7 +71,7 @@ class StudyTest(PageTest):
         self.assertEqual(figures, {"tornado_K"})
         self.assertNotIn("could not be drawn", page)
         for text in ("<i>hourglass coefficient</i>", "×0.9", "<b>beyond</b>",
-                     "+10\u202f% ±\u202f2", "−4\u202f%",
+                     "+10 ±\u202f2\u202f%", "−4\u202f%",
                      "Beyond the bound of the method: hourglass coefficient",
                      "4 of 5 runs finished", "hourglass = 0.5: status 2"):
             self.assertIn(text, page)

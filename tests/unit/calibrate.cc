@@ -78,6 +78,17 @@ BOOST_AUTO_TEST_CASE(a_step_that_did_not_help_says_nothing_of_the_slope)
 }
 
 
+BOOST_AUTO_TEST_CASE(a_plateau_does_not_throw_the_search_far_off)
+{
+  Search search({1.}, {{1.}});
+  search.take({1.1});
+  search.take({1.099});
+  // The secant asks for a factor of two, the first order for 1.1.
+  BOOST_TEST(search.parameters()[0] == 0.90909 / (1.099 * 1.099),
+             tt::tolerance(1e-4));
+}
+
+
 BOOST_AUTO_TEST_CASE(scatter_gives_the_standard_error)
 {
   std::vector<Sample> samples(4);

@@ -34,6 +34,7 @@ subsection Study
 end
 subsection Axis seed
   set Kind    = seeds
+  set Seed    = 5
   set Count   = 2
   set Entries = XFEM/Cells along x
 end
@@ -88,7 +89,7 @@ BOOST_AUTO_TEST_CASE(changes_are_of_pairs_and_come_by_size)
   for (unsigned int r = 0; r < runs.size(); ++r)
     {
       // Seeds scatter by far more than the entries do.
-      const double seed = runs[r].numbers.at("seed") == 1. ? 100. : 300.;
+      const double seed = runs[r].numbers.at("seed") == 5. ? 100. : 300.;
       double       y    = seed;
       if (runs[r].sensitivity == "small")
         y += runs[r].side == "low" ? -1. : (seed == 100. ? 9. : 11.);
@@ -131,6 +132,7 @@ subsection Series XFEM
   set Entries = {series}/Degree = 2
 end
 subsection Series other
+  set Title = another
 end
 subsection Sensitivity tip
   set Entries = {series}/Tip degree

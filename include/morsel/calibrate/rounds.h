@@ -3,6 +3,7 @@
 
 #include <morsel/calibrate/problem.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,15 +58,17 @@ namespace Morsel::Calibrate
   /// @param round its parameters; its targets are filled in
   /// @param folder of results; the runs' are below it
   /// @param threads of each run
+  /// @param tell gets a line for each run that has come to its end
   /// @throw NumericalError if a run failed or nothing broke in it
   /// @throw InputError if the runs do not give the result asked for
   /// @throw Interrupted
   void
-  carry_out(const Problem     &problem,
-            unsigned int       number,
-            Round             &round,
-            const std::string &folder,
-            unsigned int       threads);
+  carry_out(const Problem                                  &problem,
+            unsigned int                                    number,
+            Round                                          &round,
+            const std::string                              &folder,
+            unsigned int                                    threads,
+            const std::function<void(const std::string &)> &tell);
 } // namespace Morsel::Calibrate
 
 #endif

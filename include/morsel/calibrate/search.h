@@ -29,7 +29,7 @@ namespace Morsel::Calibrate
     }
 
     /// Takes what the present parameters gave, and moves on, by a factor of
-    /// two at most.
+    /// two at most, and by at most twice what the first exponents ask for.
     /// @param ratios measure over target, positive
     void
     take(const std::vector<double> &ratios);
