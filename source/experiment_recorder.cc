@@ -234,14 +234,16 @@ namespace Morsel
             yy[i]      = s.yy;
             xy[i]      = s.xy;
           }
-        const std::vector<Field> fields = {
-            {"displacement", Field::Kind::vector, u},
-            {"velocity", Field::Kind::vector, v},
-            {"density", Field::Kind::scalar, density},
-            {"von_mises", Field::Kind::scalar, mises},
-            {"stress_xx", Field::Kind::scalar, xx},
-            {"stress_yy", Field::Kind::scalar, yy},
-            {"stress_xy", Field::Kind::scalar, xy}};
+        std::vector<Field> fields = {{"displacement", Field::Kind::vector, u},
+                                     {"velocity", Field::Kind::vector, v},
+                                     {"density", Field::Kind::scalar, density},
+                                     {"von_mises", Field::Kind::scalar, mises},
+                                     {"stress_xx", Field::Kind::scalar, xx},
+                                     {"stress_yy", Field::Kind::scalar, yy},
+                                     {"stress_xy", Field::Kind::scalar, xy}};
+        const std::vector<double> modulus = body.youngs_moduli();
+        if (!modulus.empty())
+          fields.push_back({"youngs_modulus", Field::Kind::scalar, modulus});
         frames[b]->write(experiment.time(), points, fields);
       }
   }

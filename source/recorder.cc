@@ -206,6 +206,9 @@ namespace Morsel
         s.tangential_force.push_back(bite.tangential_force(p));
       }
     stroke.add(s);
+    if (const auto time = stroke.time_of_half_force();
+        time && *time == bite.time())
+      pattern_at_half = find_pattern();
 
     if (history_due.due(bite.time()))
       sample();
@@ -356,7 +359,9 @@ namespace Morsel
     write_fragments();
 
     summarise_stroke(reason);
+    summarise_break();
     summarise_fragments();
+    summarise_fragment_sizes();
     summarise_ledgers();
     summarise_run();
     summarise_effects();
