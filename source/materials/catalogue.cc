@@ -171,7 +171,7 @@ namespace Morsel::Materials
     CatalogueDamage        known;
     if (entry != nullptr && entry->damage)
       known = *entry->damage;
-    if (damage.growth != "linear softening")
+    if (damage.growth == "Grady-Kipp")
       known.fracture_energy.reset();
     fill(damage.threshold_factor,
          open.threshold_factor,

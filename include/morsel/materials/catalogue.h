@@ -85,8 +85,8 @@ namespace Morsel::Materials
 
 
   /// Fills what is left open from a catalogue entry or, where that knows
-  /// nothing, with the program's defaults. A fracture energy is of linear
-  /// softening alone.
+  /// nothing, with the program's defaults. Grady-Kipp growth
+  /// takes no fracture energy.
   /// @param entry nullptr: the defaults
   void
   complete(DamageParameters &damage, const CatalogueEntry *entry);
