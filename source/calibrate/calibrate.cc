@@ -140,7 +140,7 @@ namespace Morsel::Calibrate
   void
   run_calibration(const CommandLine &command_line)
   {
-    Study::refuse_several_ranks();
+    Study::refuse_several_ranks("A calibration", "Calibration");
     const Problem problem = read_problem(command_line);
     if (command_line.run.validate_only)
       {

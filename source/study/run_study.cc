@@ -237,13 +237,15 @@ namespace Morsel::Study
 
 
   void
-  refuse_several_ranks()
+  refuse_several_ranks(const std::string &what, const std::string &section)
   {
     if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1 ||
         std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
-      throw InputError("A study starts its runs itself: start it without "
-                       "mpirun, and say in 'Study/Side by side' how many "
-                       "runs shall go at a time.");
+      throw InputError(what +
+                       " starts its runs itself: start it without "
+                       "mpirun, and say in '" +
+                       section +
+                       "/Side by side' how many runs shall go at a time.");
   }
 
 
