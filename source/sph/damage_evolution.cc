@@ -45,7 +45,8 @@ namespace Morsel::SPH
       const BondedConstants             &loop_constants,
       const Materials::DamageParameters &parameters,
       const double                       friend_distance,
-      const unsigned int                 seed)
+      const unsigned int                 seed,
+      const std::vector<double>         &strength)
       : particles(particles)
       , bonds(bonds)
       , material(material)
@@ -58,6 +59,7 @@ namespace Morsel::SPH
       , average_stress(parameters.average_stress)
       , friend_distance_square(friend_distance * friend_distance)
       , hourglass_stiffness(loop_constants.uniform_hourglass)
+      , strength(strength)
       , is_touched(particles.n_local, 0)
       , exposed(particles.n_local, 0)
       , contact_diameter(particles.n_local, particles.spacing)
@@ -71,14 +73,14 @@ namespace Morsel::SPH
     particles.driver.assign(n, 0.);
     particles.near_face.assign(n, 0);
     particles.damage_heat.assign(n, 0.);
-    particles.threshold.resize(n);
-    for (unsigned int i = 0; i < n; ++i)
-      particles.threshold[i] =
-          law.threshold_scale *
-          (parameters.flaws == "uniform"
-               ? 1.
-               : Materials::weibull_threshold(
-                     law.weibull_modulus, seed, particles.id[i]));
+    particles.threshold = Materials::thresholds(
+        parameters, law, seed, particles.id, particles.reference, n);
+    for (unsigned int i = 0; i < strength.size(); ++i)
+      particles.threshold[i] *= strength[i];
+    if (parameters.flaws == "Benz-Asphaug" &&
+        law.growth == Materials::Growth::grady_kipp)
+      flaws = std::make_unique<Materials::ExplicitFlaws>(
+          Materials::explicit_flaws(law.weibull_modulus, seed, n));
     bonds.make_breakable(kernel);
     find_groups_nearby();
     find_direct_bonds();
@@ -211,6 +213,7 @@ namespace Morsel::SPH
         if (i >= particles.n_owned || particles.failed[i])
           continue;
         const double r = particles.threshold[i];
+        const double f = strength.empty() ? 1. : strength[i];
         const auto  &H = particles.gradient[i];
         const double J = (1. + H.xx) * (1. + H.yy) - H.xy * H.yx;
         const double s = average_stress
@@ -221,15 +224,27 @@ namespace Morsel::SPH
                                                        !particles.near_face[i]);
         if (!linear_law && !(J > crushed_jacobian))
           release_damage(i, 1.);
+        else if (flaws)
+          release_damage(i,
+                         Materials::explicit_flaw_damage(
+                             law,
+                             particles.damage[i],
+                             flaws->activated(particles.id[i],
+                                              s / (law.threshold_scale * f)),
+                             flaws->count(particles.id[i]),
+                             time_step));
         else if (law.growth == Materials::Growth::grady_kipp)
-          release_damage(i,
-                         Materials::grady_kipp_damage(
-                             law, particles.damage[i], s, r, time_step));
+          release_damage(
+              i,
+              Materials::grady_kipp_damage(
+                  law, particles.damage[i], s / f, r / f, time_step));
         else
-          release_damage(i,
-                         std::max(particles.damage[i],
-                                  Materials::linear_softening_damage(
-                                      s, r, law.softening_range)));
+          release_damage(
+              i,
+              std::max(
+                  particles.damage[i],
+                  Materials::linear_softening_damage(
+                      s, r, law.range_at(r, particles.modulus_factor(i)))));
         if (particles.damage[i] >= failure_damage)
           any_full[g] = 1;
       }

@@ -1,12 +1,13 @@
 #ifndef morsel_sph_damage_evolution_h
 #define morsel_sph_damage_evolution_h
 
-#include <morsel/materials/damage.h>
+#include <morsel/materials/flaws.h>
 #include <morsel/sph/bonds.h>
 #include <morsel/sph/pair_loops.h>
 #include <morsel/sph/particles.h>
 
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace Morsel::SPH
@@ -26,6 +27,8 @@ namespace Morsel::SPH
   public:
     /// Allocates and fills the damage fields of @p particles.
     /// @param friend_distance [m].
+    /// @param strength of each particle's grain over the body's [1]; empty
+    ///   where it is uniform.
     DamageEvolution(Particles                         &particles,
                     Bonds                             &bonds,
                     const Kernel                      &kernel,
@@ -35,7 +38,8 @@ namespace Morsel::SPH
                     const BondedConstants             &loop_constants,
                     const Materials::DamageParameters &parameters,
                     double                             friend_distance,
-                    unsigned int                       seed);
+                    unsigned int                       seed,
+                    const std::vector<double>         &strength = {});
 
     /// Damage growth over one step from the present stress; then cuts the
     /// bonds of what has failed. Returns the particles that failed now.
@@ -156,6 +160,9 @@ namespace Morsel::SPH
     const bool                  average_stress;
     const double                friend_distance_square;
     const double                hourglass_stiffness;
+    const std::vector<double>   strength; ///< of grains, or empty [1]
+    /// Where each flaw is followed on its own.
+    std::unique_ptr<const Materials::ExplicitFlaws> flaws;
 
     std::vector<unsigned int> newly_failed, failed_now, suspects;
     std::vector<Touched>      touched;
