@@ -129,6 +129,21 @@ namespace Morsel::SPH
   };
 
 
+  /// Stress averaged over the neighbours of each particle of a group [Pa],
+  /// and its driver [1].
+  struct AveragedStress
+  {
+    double driver[group_size], xx[group_size], yy[group_size], xy[group_size],
+        zz[group_size];
+
+    Materials::PlaneStrainStress
+    stress(const unsigned int l) const
+    {
+      return {xx[l], yy[l], xy[l], zz[l]};
+    }
+  };
+
+
   /// The kernels of one instruction set. Ranges count groups.
   struct PairKernels
   {
@@ -144,7 +159,7 @@ namespace Morsel::SPH
     using Average   = void (*)(const BondedArrays    &arrays,
                              const BondedConstants &constants,
                              unsigned int           group,
-                             double                *drivers);
+                             AveragedStress        &average);
     using GrainPush = void (*)(const GrainArrays    &arrays,
                                const GrainConstants &constants,
                                GrainForce           *sums);

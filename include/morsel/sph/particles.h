@@ -62,6 +62,7 @@ namespace Morsel::SPH
     // Allocated only for a solid that can fail.
     std::vector<double> damage;    ///< D [1]
     std::vector<char>   failed;    ///< D = 1: no bond left
+    std::vector<double> used;      ///< share of what it can dissipate [1]
     std::vector<double> threshold; ///< r_i: damage starts beyond it [1]
     std::vector<Materials::PlaneStrainStress> effective; ///< undamaged [Pa]
     std::vector<double> driver;      ///< s of the particle's own stress [1]
