@@ -108,19 +108,24 @@ namespace
   }
 
 
-  /// Strain and force loops of a solid with or without viscosity and damage.
+  /// Strain and force loops of a solid with or without viscosity, damage and
+  /// grains of different stiffness.
   void
   bonded(benchmark::State &state,
          const bool        viscosity,
          const bool        damage,
-         const bool        conforming)
+         const bool        conforming,
+         const bool        grains = false)
   {
-    Lattice     lattice(state.range(0), conforming);
+    Lattice lattice(state.range(0), conforming);
+    if (grains)
+      lattice.p.modulus.assign(lattice.p.n_owned, 1.);
     const auto &kernels = SPH::pair_kernels();
     const auto  strain =
         (conforming ? kernels.strain_conforming : kernels.strain)[0][damage];
-    const auto         force  = (conforming ? kernels.force_conforming
-                                            : kernels.force)[viscosity][damage];
+    const auto force =
+        (conforming ? kernels.force_conforming
+                    : kernels.force)[viscosity][damage || grains];
     const auto         driver = kernels.own_driver[2];
     const auto         arrays = SPH::bonded_arrays(lattice.p, lattice.bonds);
     const unsigned int n      = lattice.p.n_groups();
@@ -178,8 +183,12 @@ namespace
 
 
 BENCHMARK_CAPTURE(bonded, elastic, false, false, false)->Apply(sizes);
+BENCHMARK_CAPTURE(bonded, elastic_grains, false, false, false, true)
+    ->Apply(sizes);
 BENCHMARK_CAPTURE(bonded, viscosity, true, false, false)->Apply(sizes);
 BENCHMARK_CAPTURE(bonded, damage_and_viscosity, true, true, false)
+    ->Apply(sizes);
+BENCHMARK_CAPTURE(bonded, damage_and_viscosity_grains, true, true, false, true)
     ->Apply(sizes);
 BENCHMARK_CAPTURE(bonded, conforming, false, false, true)->Apply(sizes);
 BENCHMARK_CAPTURE(bonded, conforming_damage_and_viscosity, true, true, true)

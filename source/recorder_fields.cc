@@ -50,6 +50,9 @@ namespace Morsel
     const std::vector<double> modulus = solid.youngs_moduli();
     if (!modulus.empty())
       fields.push_back({"youngs_modulus", Field::Kind::scalar, modulus});
+    if (scene.particle_bodies.front().grains.scatter_strength() &&
+        !p.threshold.empty())
+      fields.push_back({"threshold", Field::Kind::scalar, p.threshold});
     particle_frames->write(bite.time(), points, fields);
 
     if (!plate_frames)

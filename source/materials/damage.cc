@@ -152,7 +152,8 @@ namespace Morsel::Materials
                    const bool               cut_off,
                    const double             r,
                    const double             energy,
-                   const Softened          &state)
+                   const Softened          &state,
+                   const double             modulus_factor)
   {
     const auto driver_at = [&](const double D) {
       return driver_value(
@@ -165,10 +166,10 @@ namespace Morsel::Materials
     // The strength of this direction is where the softened stress, scaled,
     // meets s = 1.
     const double capacity =
-        law.range_at(r) * r * r *
+        law.range_at(r, modulus_factor) * r * r *
         energy_density(elasticity,
                        soften(law.softening, stress, state.damage)) /
-        (s * s);
+        (modulus_factor * s * s);
     const double use_per_damage = energy / capacity;
     const auto   excess         = [&](const double D) {
       return driver_at(D) -

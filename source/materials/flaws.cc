@@ -9,25 +9,6 @@ namespace Morsel::Materials
   {
     constexpr double pi = 3.14159265358979323846;
 
-
-    /// The number of a square of the noise's grid.
-    std::uint64_t
-    square_number(const long i, const long j)
-    {
-      return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(i)) << 32) |
-             static_cast<std::uint32_t>(j);
-    }
-
-
-    /// Standard normal, by Box and Muller from two uniform ones.
-    double
-    counter_normal(const unsigned int seed, const std::uint64_t index)
-    {
-      // Streams of their own, apart from that of single particles.
-      const double a = counter_uniform(seed ^ 0x5bd1e995U, index);
-      const double b = counter_uniform(seed ^ 0x1b873593U, index);
-      return std::sqrt(-2. * std::log(a)) * std::cos(2. * pi * b);
-    }
   } // namespace
 
 
@@ -44,6 +25,25 @@ namespace Morsel::Materials
         z ^= z >> 31;
       }
     return (static_cast<double>(z >> 11) + 0.5) / 9007199254740992.;
+  }
+
+
+  double
+  counter_normal(const unsigned int seed, const std::uint64_t index)
+  {
+    // By Box and Muller; streams of their own, apart from that of single
+    // particles.
+    const double a = counter_uniform(seed ^ 0x5bd1e995U, index);
+    const double b = counter_uniform(seed ^ 0x1b873593U, index);
+    return std::sqrt(-2. * std::log(a)) * std::cos(2. * pi * b);
+  }
+
+
+  std::uint64_t
+  square_number(const long i, const long j)
+  {
+    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(i)) << 32) |
+           static_cast<std::uint32_t>(j);
   }
 
 

@@ -1,3 +1,4 @@
+#include <morsel/materials/flaws.h>
 #include <morsel/materials/grains.h>
 
 #include <deal.II/base/patterns.h>
@@ -15,38 +16,12 @@ namespace Morsel::Materials
     /// Streams of random numbers, apart from that of the flaws.
     enum Stream : unsigned int
     {
-      point_x   = 0x2545f491U,
-      point_y   = 0x85ebca6bU,
-      modulus_  = 0xc2b2ae35U,
-      strength_ = 0x27d4eb2fU
+      point_x     = 0x2545f491U,
+      point_y     = 0x85ebca6bU,
+      of_modulus  = 0xc2b2ae35U,
+      of_strength = 0x27d4eb2fU
     };
 
-
-    double
-    counter_uniform(const unsigned int seed, const std::uint64_t index)
-    {
-      std::uint64_t z = index + 0x9e3779b97f4a7c15ULL *
-                                    (static_cast<std::uint64_t>(seed) + 1);
-      for (int round = 0; round < 2; ++round)
-        {
-          z += 0x9e3779b97f4a7c15ULL;
-          z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-          z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-          z ^= z >> 31;
-        }
-      return (static_cast<double>(z >> 11) + 0.5) / 9007199254740992.;
-    }
-
-
-    /// The number of a square.
-    std::uint64_t
-    number_of(const std::pair<long, long> &square)
-    {
-      return (static_cast<std::uint64_t>(
-                  static_cast<std::uint32_t>(square.first))
-              << 32) |
-             static_cast<std::uint32_t>(square.second);
-    }
   } // namespace
 
 
@@ -112,7 +87,7 @@ namespace Morsel::Materials
     for (long i = own.first - 2; i <= own.first + 2; ++i)
       for (long j = own.second - 2; j <= own.second + 2; ++j)
         {
-          const std::uint64_t    n = number_of({i, j});
+          const std::uint64_t    n = square_number(i, j);
           const dealii::Point<2> p(
               side * (i + counter_uniform(seed ^ point_x, n)),
               side * (j + counter_uniform(seed ^ point_y, n)));
@@ -131,26 +106,23 @@ namespace Morsel::Materials
                      const LogNormal        &distribution,
                      const unsigned int      stream) const
   {
-    // By Box and Muller.
-    const std::uint64_t n = number_of(grain_at(x));
-    const double        a = counter_uniform(seed ^ stream, n);
-    const double        b = counter_uniform(seed ^ ~stream, n);
-    return std::exp(distribution.location + distribution.scale *
-                                                std::sqrt(-2. * std::log(a)) *
-                                                std::cos(2. * pi * b));
+    const auto [i, j] = grain_at(x);
+    return std::exp(distribution.location +
+                    distribution.scale *
+                        counter_normal(seed ^ stream, square_number(i, j)));
   }
 
 
   double
   GrainField::modulus_factor(const dealii::Point<2> &x) const
   {
-    return factor(x, modulus, Stream::modulus_);
+    return factor(x, modulus, of_modulus);
   }
 
 
   double
   GrainField::strength_factor(const dealii::Point<2> &x) const
   {
-    return factor(x, strength, Stream::strength_);
+    return factor(x, strength, of_strength);
   }
 } // namespace Morsel::Materials

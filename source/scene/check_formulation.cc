@@ -49,9 +49,7 @@ namespace Morsel::Scene
 
 
     void
-    check_grains(const ParticleBody &body,
-                 const Scene        &scene,
-                 Findings           &findings)
+    check_grains(const ParticleBody &body, Findings &findings)
     {
       const Materials::GrainParameters &grains  = body.grains;
       const std::string                 section = "Body " + body.name + "/";
@@ -69,13 +67,10 @@ namespace Morsel::Scene
         findings.advise(section + "Grains/Size",
                         "all grains are alike; give 'Modulus scatter' or "
                         "'Strength scatter'.");
-      if (scene.time.is_static() || body.solid.is_updated())
-        findings.mistake(
-            section + "Grains/Size",
-            "grains are computed in transients of the total "
-            "Lagrangian form alone; give 0 here or take "
-            "'Time/Solution' = 'transient' and 'Solid/Formulation' "
-            "= 'total Lagrangian'.");
+      if (body.solid.is_updated())
+        findings.mistake(section + "Grains/Size",
+                         "the updated Lagrangian form has no grains; give 0 or "
+                         "take 'Formulation' = 'total Lagrangian'.");
       if (grains.strength_scatter > 0. && !body.damage.enabled)
         findings.advise(section + "Grains/Strength scatter",
                         "a solid that cannot fail (Damage/Enabled) has no "
@@ -143,7 +138,7 @@ namespace Morsel::Scene
                        "the total Lagrangian form has its stress from the "
                        "deformation; leave it out or take 'Formulation' = "
                        "'updated Lagrangian'.");
-    check_grains(body, scene, findings);
+    check_grains(body, findings);
     check_normalisation(body, findings);
   }
 } // namespace Morsel::Scene

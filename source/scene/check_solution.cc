@@ -19,6 +19,10 @@ namespace Morsel::Scene
              "Damage/Enabled",
              "a static solution is elastic: damage grows over time; take "
              "'Time/Solution' = 'transient'.");
+      refuse(body.grains.size > 0.,
+             "Grains/Size",
+             "a static solution has no grains; give 0 or take "
+             "'Time/Solution' = 'transient'.");
       refuse(body.solid.is_updated(),
              "Solid/Formulation",
              "equilibrium at small strain is found in the reference "

@@ -46,7 +46,8 @@ namespace Morsel::SPH
       const BondedConstants             &loop_constants,
       const Materials::DamageParameters &parameters,
       const double                       friend_distance,
-      const unsigned int                 seed)
+      const unsigned int                 seed,
+      const std::vector<double>         &strength)
       : particles(particles)
       , bonds(bonds)
       , material(material)
@@ -59,6 +60,7 @@ namespace Morsel::SPH
       , average_stress(parameters.average_stress)
       , friend_distance_square(friend_distance * friend_distance)
       , hourglass_stiffness(loop_constants.uniform_hourglass)
+      , strength(strength)
       , is_touched(particles.n_local, 0)
       , exposed(particles.n_local, 0)
       , contact_diameter(particles.n_local, particles.spacing)
@@ -74,6 +76,8 @@ namespace Morsel::SPH
     particles.damage_heat.assign(n, 0.);
     particles.threshold = Materials::thresholds(
         parameters, law, seed, particles.id, particles.reference, n);
+    for (unsigned int i = 0; i < strength.size(); ++i)
+      particles.threshold[i] *= strength[i];
     if (law.growth == Materials::Growth::energy_softening)
       particles.used.assign(n, 0.);
     if (parameters.flaws == "Benz-Asphaug" &&
@@ -212,6 +216,7 @@ namespace Morsel::SPH
         if (i >= particles.n_owned || particles.failed[i])
           continue;
         const double r = particles.threshold[i];
+        const double f = strength.empty() ? 1. : strength[i];
         const auto  &H = particles.gradient[i];
         const double J = (1. + H.xx) * (1. + H.yy) - H.xy * H.yx;
         const double s = average_stress
@@ -230,23 +235,26 @@ namespace Morsel::SPH
                                     : particles.effective[i]);
           }
         else if (flaws)
+          release_damage(i,
+                         Materials::explicit_flaw_damage(
+                             law,
+                             particles.damage[i],
+                             flaws->activated(particles.id[i],
+                                              s / (law.threshold_scale * f)),
+                             flaws->count(particles.id[i]),
+                             time_step));
+        else if (law.growth == Materials::Growth::grady_kipp)
           release_damage(
               i,
-              Materials::explicit_flaw_damage(
-                  law,
-                  particles.damage[i],
-                  flaws->activated(particles.id[i], s / law.threshold_scale),
-                  flaws->count(particles.id[i]),
-                  time_step));
-        else if (law.growth == Materials::Growth::grady_kipp)
-          release_damage(i,
-                         Materials::grady_kipp_damage(
-                             law, particles.damage[i], s, r, time_step));
+              Materials::grady_kipp_damage(
+                  law, particles.damage[i], s / f, r / f, time_step));
         else
-          release_damage(i,
-                         std::max(particles.damage[i],
-                                  Materials::linear_softening_damage(
-                                      s, r, law.range_at(r))));
+          release_damage(
+              i,
+              std::max(
+                  particles.damage[i],
+                  Materials::linear_softening_damage(
+                      s, r, law.range_at(r, particles.modulus_factor(i)))));
         if (particles.damage[i] >= failure_damage)
           any_full[g] = 1;
       }
@@ -286,7 +294,8 @@ namespace Morsel::SPH
                                     !particles.near_face[i],
                                     particles.threshold[i],
                                     energy,
-                                    {particles.damage[i], particles.used[i]});
+                                    {particles.damage[i], particles.used[i]},
+                                    particles.modulus_factor(i));
     particles.used[i] = now.used;
     release_damage(i, now.used >= failure_damage ? 1. : now.damage);
   }

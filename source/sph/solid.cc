@@ -312,6 +312,14 @@ namespace Morsel::SPH
         material,
         body.material.compressive_strength,
         {body.spacing * body.spacing * depth, body.spacing});
+    std::vector<double> strength;
+    if (body.grains.scatter_strength())
+      {
+        const Materials::GrainField grains(
+            body.grains, material.poissons_ratio, scene.seed);
+        for (const dealii::Point<2> &x : particles.reference)
+          strength.push_back(grains.strength_factor(x));
+      }
     fracture = std::make_unique<DamageEvolution>(
         particles,
         bonds,
@@ -322,7 +330,8 @@ namespace Morsel::SPH
         constants,
         body.damage,
         scene.measures.friend_distance * particles.spacing,
-        scene.seed);
+        scene.seed,
+        strength);
     granular = std::make_unique<Granular>(
         particles,
         bonds,

@@ -247,6 +247,42 @@ BOOST_AUTO_TEST_CASE(stress_and_energy_of_a_grain_are_its_own)
 }
 
 
+BOOST_AUTO_TEST_CASE(a_stiff_grain_takes_the_same_fracture_energy)
+{
+  // Area under the curve of a tensile test, threshold r: the stress rises to
+  // r f_t with the grain's own modulus and falls to zero at range r f_t.
+  Materials::DamageParameters parameters;
+  parameters.fracture_energy = 1e4;
+  const Materials::Elasticity material(50e9, 0.25, 2700.);
+  const Materials::DamageLaw  law(
+      parameters, material, 100e6, {1e-3 * 1e-3, 1e-3});
+  for (const double r : {0.8, 1.2})
+    {
+      const auto area = [&](const double factor) {
+        return law.range_at(r, factor) * r * r / factor;
+      };
+      BOOST_TEST(area(2.) == area(1.), boost::test_tools::tolerance(1e-12));
+    }
+}
+
+
+BOOST_AUTO_TEST_CASE(thresholds_of_a_grain_are_its_own)
+{
+  Scene::Scene scene  = scene_of_grains(30, 30, 2e-4);
+  auto        &body   = scene.particle_bodies.front();
+  body.damage.enabled = true;
+  const auto even     = SPH::make_solid(scene).get_particles().threshold;
+  body.grains.strength_scatter = 0.3;
+  const auto       solid       = SPH::make_solid(scene);
+  const GrainField field(body.grains, 0.3, scene.seed);
+  const auto      &p = solid.get_particles();
+  for (unsigned int i = 0; i < p.n_owned; ++i)
+    BOOST_REQUIRE(std::abs(p.threshold[i] / even[i] /
+                               field.strength_factor(p.reference[i]) -
+                           1.) < 1e-12);
+}
+
+
 BOOST_AUTO_TEST_CASE(a_broken_block_of_grains_keeps_its_account_of_energy)
 {
   for (const double scatter : {0., 0.4})
@@ -255,7 +291,7 @@ BOOST_AUTO_TEST_CASE(a_broken_block_of_grains_keeps_its_account_of_energy)
       Scene::Scene     scene = SPH::scene_of_stroke(30, 0.1, 1e-4);
       auto            &body  = scene.particle_bodies.front();
       body.damage.enabled    = true;
-      body.grains            = {1.5e-3, scatter, 0.};
+      body.grains            = {1.5e-3, scatter, 0.5 * scatter};
       RunLog log("", true, false);
       Bite   bite(scene, MPI_COMM_SELF, log);
       double error = 0., scale = 0., momentum = 0.;

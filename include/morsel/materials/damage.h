@@ -87,11 +87,14 @@ namespace Morsel::Materials
     /// G_c (crack band, Bazant and Oh 1983) the area r f_t (range r f_t)/(2 E')
     /// under the curve in tension, times the width of the band, is G_c for
     /// every threshold and spacing.
+    /// @param modulus_factor of a grain whose elastic moduli are so many times
+    ///   the body's [1]: E' of the area is its own.
     double
-    range_at(const double r) const
+    range_at(const double r, const double modulus_factor = 1.) const
     {
       return has_fracture_energy()
-                 ? std::max(least_range, end_times_threshold / (r * r))
+                 ? std::max(least_range,
+                            modulus_factor * end_times_threshold / (r * r))
                  : softening_range;
     }
   };
@@ -185,6 +188,7 @@ namespace Morsel::Materials
   /// r f to zero at the strain R r f/E'. Returns @p state where it holds.
   /// @param stress undamaged Cauchy stress that drives
   /// @param energy [J/m^3] stored undamaged that D takes away
+  /// @param modulus_factor as in DamageLaw::range_at()
   Softened
   energy_softening(const DamageLaw         &law,
                    const Elasticity        &elasticity,
@@ -192,7 +196,8 @@ namespace Morsel::Materials
                    bool                     cut_off,
                    double                   r,
                    double                   energy,
-                   const Softened          &state);
+                   const Softened          &state,
+                   double                   modulus_factor = 1.);
 
 
   /// Grady-Kipp growth (T3-53, T3-54) of D over @p dt while s exceeds r.

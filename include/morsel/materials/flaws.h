@@ -16,6 +16,16 @@ namespace Morsel::Materials
   counter_uniform(unsigned int seed, std::uint64_t index);
 
 
+  /// Standard normal number, in the same way.
+  double
+  counter_normal(unsigned int seed, std::uint64_t index);
+
+
+  /// The number of a square of a grid, as the index of such numbers.
+  std::uint64_t
+  square_number(long i, long j);
+
+
   /// Weibull(m, 1) threshold of one particle, a function of the seed and of
   /// the particle's global index alone (the same on any number of ranks).
   double

@@ -27,6 +27,8 @@ namespace Morsel::SPH
   public:
     /// Allocates and fills the damage fields of @p particles.
     /// @param friend_distance [m].
+    /// @param strength of each particle's grain over the body's [1]; empty
+    ///   where it is uniform.
     DamageEvolution(Particles                         &particles,
                     Bonds                             &bonds,
                     const Kernel                      &kernel,
@@ -36,7 +38,8 @@ namespace Morsel::SPH
                     const BondedConstants             &loop_constants,
                     const Materials::DamageParameters &parameters,
                     double                             friend_distance,
-                    unsigned int                       seed);
+                    unsigned int                       seed,
+                    const std::vector<double>         &strength = {});
 
     /// Damage growth over one step from the present stress; then cuts the
     /// bonds of what has failed. Returns the particles that failed now.
@@ -165,6 +168,7 @@ namespace Morsel::SPH
     const bool                  average_stress;
     const double                friend_distance_square;
     const double                hourglass_stiffness;
+    const std::vector<double>   strength; ///< of grains, or empty [1]
     /// Where each flaw is followed on its own.
     std::unique_ptr<const Materials::ExplicitFlaws> flaws;
 
