@@ -4,6 +4,7 @@
 #include "bite.h"
 
 #include <morsel/core/run_options.h>
+#include <morsel/measure/breakage.h>
 #include <morsel/measure/energy_ledger.h>
 #include <morsel/measure/fragments.h>
 #include <morsel/measure/stroke.h>
@@ -106,11 +107,12 @@ namespace Morsel
     const MPI_Comm      communicator;
     const bool          first_rank;
 
-    Measure::Stroke         stroke;
-    Measure::EnergyLedger   energy;
-    Measure::MomentumLedger momentum;
-    Measure::Fragments      fragments;
-    Measure::Fragments      intact;
+    Measure::Stroke                    stroke;
+    Measure::EnergyLedger              energy;
+    Measure::MomentumLedger            momentum;
+    std::unique_ptr<Measure::Breakage> breakage;
+    Measure::Fragments                 fragments;
+    Measure::Fragments                 intact;
 
     Cadence                            history_due, frame_due;
     std::unique_ptr<Output::History>   history;
