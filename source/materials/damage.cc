@@ -1,7 +1,7 @@
 #include <morsel/core/errors.h>
 #include <morsel/materials/damage.h>
 
-#include <cstdint>
+#include <algorithm>
 
 namespace Morsel::Materials
 {
@@ -22,7 +22,7 @@ namespace Morsel::Materials
   DamageLaw::DamageLaw(const DamageParameters &parameters,
                        const Elasticity       &elasticity,
                        const double            strength,
-                       const double            particle_volume)
+                       const ParticleSize     &particle)
       : driver(driver_named(parameters.driver))
       , growth(parameters.growth == "Grady-Kipp" ? Growth::grady_kipp
                                                  : Growth::linear_softening)
@@ -40,11 +40,29 @@ namespace Morsel::Materials
           "Damage/Driver 'extension strain' needs a Poisson's ratio above 0: "
           "at 0 a compressed block does not extend sideways.");
 
+    if (driver == Driver::extension_strain)
+      tensile_strength = strength * nu / (1. - nu);
+    if (parameters.fracture_energy > 0.)
+      end_times_threshold =
+          2. * elasticity.plane_strain_modulus() * parameters.fracture_energy /
+          (tensile_strength * tensile_strength * band_width * particle.spacing);
+
     // Uniform thresholds have no scatter to make good for: b = 1.
-    const double b  = parameters.flaws == "uniform"
-                          ? 1.
-                          : bundle_peak(weibull_modulus, softening_range);
-    threshold_scale = parameters.threshold_factor / b;
+    threshold_scale = parameters.threshold_factor;
+    if (parameters.flaws != "uniform")
+      {
+        // What fails as one: a patch of the field, or else a particle.
+        const double patch =
+            parameters.flaws == "correlated"
+                ? std::max(parameters.correlation_length, particle.spacing)
+                : particle.spacing;
+        const double range =
+            has_fracture_energy()
+                ? end_times_threshold * particle.spacing / patch
+                : softening_range;
+        threshold_scale /=
+            bundle_peak(weibull_modulus, std::max(range, least_range));
+      }
 
     // Modified von Mises, exact for uniaxial stress in plane strain.
     const double A = 1. - nu + nu * nu;
@@ -61,7 +79,8 @@ namespace Morsel::Materials
     const double crack_speed = 0.4 * elasticity.wave_speed;
     growth_rate =
         (m + 3.) / 3. * crack_speed *
-        std::cbrt(8. * pi / ((m + 1.) * (m + 2.) * (m + 3.) * particle_volume));
+        std::cbrt(8. * pi / ((m + 1.) * (m + 2.) * (m + 3.) * particle.volume));
+    flaw_speed = crack_speed / std::cbrt(3. * particle.volume / (4. * pi));
   }
 
 
@@ -160,26 +179,5 @@ namespace Morsel::Materials
           f1 = mean_stress_at(x1);
         }
     return std::max(f1, f2);
-  }
-
-
-  double
-  weibull_threshold(const double             m,
-                    const unsigned int       seed,
-                    const unsigned long long index)
-  {
-    // splitmix64 as a counter-based generator: no state, no order.
-    std::uint64_t z =
-        index + 0x9e3779b97f4a7c15ULL * (static_cast<std::uint64_t>(seed) + 1);
-    for (int round = 0; round < 2; ++round)
-      {
-        z += 0x9e3779b97f4a7c15ULL;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-        z ^= z >> 31;
-      }
-    const double uniform =
-        (static_cast<double>(z >> 11) + 0.5) / 9007199254740992.;
-    return std::pow(-std::log(uniform), 1. / m);
   }
 } // namespace Morsel::Materials

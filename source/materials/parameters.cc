@@ -82,9 +82,17 @@ namespace Morsel::Materials
     prm.add_parameter(
         "Flaws",
         flaws,
-        "Thresholds of the particles: 'Weibull' (independent, seeded) or "
-        "'uniform'.",
-        Patterns::Selection("Weibull|uniform"));
+        "Thresholds of the particles, all a function of the seed: 'Weibull' "
+        "(independent of each other), 'correlated' (a field of the place, the "
+        "same at every resolution), 'Benz-Asphaug' (explicit flaws, handed out "
+        "until each particle has one; with Grady-Kipp growth each activated "
+        "flaw adds to the rate) or 'uniform'.",
+        Patterns::Selection("Weibull|correlated|Benz-Asphaug|uniform"));
+    prm.add_parameter("Correlation length",
+                      correlation_length,
+                      "Length l of the correlated field of thresholds [m]: its "
+                      "correlation at a distance r is exp(-r^2/(2 l^2)).",
+                      Patterns::Double(0.));
     prm.add_parameter("Weibull modulus",
                       weibull_modulus,
                       "Weibull modulus m of the flaw thresholds [1].",
@@ -96,8 +104,16 @@ namespace Morsel::Materials
     prm.add_parameter(
         "Softening range",
         softening_range,
-        "Linear softening ends at this multiple of the threshold [1].",
+        "Linear softening ends at this multiple of the threshold [1]; with a "
+        "fracture energy that decides instead.",
         Patterns::Double(1.01, 1000.));
+    prm.add_parameter(
+        "Fracture energy",
+        fracture_energy,
+        "Energy G_c that a unit area of crack takes in tension [J/m^2], "
+        "K_Ic^2 (1 - nu^2)/E: the softening ends where it must for that "
+        "(crack band), whatever the spacing; 0: the softening range holds.",
+        Patterns::Double(0.));
     prm.add_parameter(
         "Threshold factor",
         threshold_factor,

@@ -1,33 +1,9 @@
-#include <morsel/core/kernel.h>
 #include <morsel/scene/findings.h>
 
 namespace Morsel::Scene
 {
   namespace
   {
-    void
-    check_failure(const ParticleBody &body, Findings &findings)
-    {
-      const std::string section = "Body " + body.name + "/Solid/";
-      if (body.solid.is_updated())
-        findings.mistake(section + "Formulation",
-                         "a solid that can fail (Damage/Enabled) is computed "
-                         "in the total Lagrangian form: damage and broken "
-                         "bonds belong to reference pairs.");
-      if (body.normalisation() != "gradient matrix" &&
-          body.normalisation() != "conforming")
-        findings.mistake(section + "Normalisation",
-                         "a solid that can fail takes the gradient matrix or "
-                         "the conforming gradient, which are renewed when "
-                         "bonds break.");
-      const KernelKind kind = kernel_named(body.solid.kernel);
-      if (kind != KernelKind::cubic_b_spline && kind != KernelKind::wendland_c2)
-        findings.mistake(section + "Kernel",
-                         "a solid that can fail takes 'cubic B-spline' or "
-                         "'Wendland C2': failed food has no other.");
-    }
-
-
     void
     check_updated(const ParticleBody &body,
                   const Scene        &scene,
@@ -108,7 +84,7 @@ namespace Morsel::Scene
                     Findings           &findings)
   {
     if (body.damage.enabled)
-      check_failure(body, findings);
+      check_damage(body, scene, findings);
     if (body.solid.is_updated())
       check_updated(body, scene, findings);
     else if (body.solid.artificial_stress > 0.)

@@ -72,14 +72,12 @@ namespace Morsel::SPH
     particles.driver.assign(n, 0.);
     particles.near_face.assign(n, 0);
     particles.damage_heat.assign(n, 0.);
-    particles.threshold.resize(n);
-    for (unsigned int i = 0; i < n; ++i)
-      particles.threshold[i] =
-          law.threshold_scale *
-          (parameters.flaws == "uniform"
-               ? 1.
-               : Materials::weibull_threshold(
-                     law.weibull_modulus, seed, particles.id[i]));
+    particles.threshold = Materials::thresholds(
+        parameters, law, seed, particles.id, particles.reference, n);
+    if (parameters.flaws == "Benz-Asphaug" &&
+        law.growth == Materials::Growth::grady_kipp)
+      flaws = std::make_unique<Materials::ExplicitFlaws>(
+          Materials::explicit_flaws(law.weibull_modulus, seed, n));
     bonds.make_breakable(kernel);
     find_groups_nearby();
     find_direct_bonds();
@@ -222,6 +220,15 @@ namespace Morsel::SPH
                                                        !particles.near_face[i]);
         if (!linear_law && !(J > crushed_jacobian))
           release_damage(i, 1.);
+        else if (flaws)
+          release_damage(
+              i,
+              Materials::explicit_flaw_damage(
+                  law,
+                  particles.damage[i],
+                  flaws->activated(particles.id[i], s / law.threshold_scale),
+                  flaws->count(particles.id[i]),
+                  time_step));
         else if (law.growth == Materials::Growth::grady_kipp)
           release_damage(i,
                          Materials::grady_kipp_damage(
@@ -230,7 +237,7 @@ namespace Morsel::SPH
           release_damage(i,
                          std::max(particles.damage[i],
                                   Materials::linear_softening_damage(
-                                      s, r, law.softening_range)));
+                                      s, r, law.range_at(r))));
         if (particles.damage[i] >= failure_damage)
           any_full[g] = 1;
       }

@@ -274,10 +274,11 @@ namespace Morsel::SPH
   Solid::make_breakable(const Scene::ParticleBody &body,
                         const Scene::Scene        &scene)
   {
-    const Materials::DamageLaw law(body.damage,
-                                   material,
-                                   body.material.compressive_strength,
-                                   body.spacing * body.spacing * depth);
+    const Materials::DamageLaw law(
+        body.damage,
+        material,
+        body.material.compressive_strength,
+        {body.spacing * body.spacing * depth, body.spacing});
     fracture = std::make_unique<DamageEvolution>(
         particles,
         bonds,

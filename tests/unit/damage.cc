@@ -1,7 +1,7 @@
 // Proves: the damage drivers reach one at the prescribed strengths, softening
 // is linear and monotone, growth follows Grady and Kipp's closed form, and the
 // flaw thresholds and the bundle rule are what theory says.
-#include <morsel/materials/damage.h>
+#include <morsel/materials/flaws.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -31,7 +31,7 @@ namespace
   {
     DamageParameters p = parameters_with(driver);
     p.strength_ratio   = ratio;
-    return {p, material, strength, 1e-10};
+    return {p, material, strength, {1e-10, 1e-4}};
   }
 
 
@@ -196,11 +196,12 @@ BOOST_AUTO_TEST_CASE(threshold_rule)
   // r_i = c w_i / b; without scatter there is nothing to make good for.
   DamageParameters p = parameters_with("modified von Mises");
   p.threshold_factor = 1.1;
-  BOOST_TEST(DamageLaw(p, material, strength, 1e-10).threshold_scale ==
+  BOOST_TEST(DamageLaw(p, material, strength, {1e-10, 1e-4}).threshold_scale ==
                  1.1 / bundle_peak(8., 10.),
              tolerance(1e-12));
   p.flaws = "uniform";
-  BOOST_TEST(DamageLaw(p, material, strength, 1e-10).threshold_scale == 1.1,
+  BOOST_TEST(DamageLaw(p, material, strength, {1e-10, 1e-4}).threshold_scale ==
+                 1.1,
              tolerance(1e-12));
 }
 
@@ -271,7 +272,7 @@ BOOST_AUTO_TEST_CASE(grady_kipp_follows_its_closed_form)
   DamageParameters p = parameters_with("tensile stress");
   p.growth           = "Grady-Kipp";
   const double    m = 8., volume = 1e-10;
-  const DamageLaw law(p, material, strength, volume);
+  const DamageLaw law(p, material, strength, {volume, 1e-4});
 
   // alpha of T3-54 for k eps^m = (s/r0)^m / V, crack speed 0.4 c.
   const double alpha = 8. * std::acos(-1.) *
@@ -319,7 +320,7 @@ BOOST_AUTO_TEST_CASE(grady_kipp_waits_for_the_threshold_and_never_heals)
 {
   DamageParameters p = parameters_with("tensile stress");
   p.growth           = "Grady-Kipp";
-  const DamageLaw law(p, material, strength, 1e-10);
+  const DamageLaw law(p, material, strength, {1e-10, 1e-4});
   BOOST_TEST(grady_kipp_damage(law, 0.2, 0.99, 1., 1e-6) == 0.2);
   BOOST_TEST(grady_kipp_damage(law, 0.2, 1.01, 1., 1e-6) > 0.2);
   BOOST_TEST(grady_kipp_damage(law, 0.999, 1e3, 1., 1.) == 1.);

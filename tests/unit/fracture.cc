@@ -45,7 +45,7 @@ namespace
                     conforming)
         , n(n)
         , parameters(uniform_flaws())
-        , law(parameters, material, 101.2e3, p.volume(0))
+        , law(parameters, material, 101.2e3, {p.volume(0), p.spacing})
         , fracture(p,
                    bonds,
                    kernel,

@@ -4,6 +4,7 @@
 #include <morsel/materials/elasticity.h>
 #include <morsel/materials/parameters.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Morsel::Materials
@@ -28,6 +29,14 @@ namespace Morsel::Materials
   };
 
 
+  /// What a particle stands for.
+  struct ParticleSize
+  {
+    double volume;  ///< [m^3]
+    double spacing; ///< [m]
+  };
+
+
   /// A damage law ready for use: names turned into choices, derived constants
   /// computed once. All drivers are normalised: s = 1 at the prescribed
   /// strength of a homogeneous solid.
@@ -39,20 +48,51 @@ namespace Morsel::Materials
     double    compressive_strength; ///< f_c [Pa]
     double    tensile_strength;     ///< f_t [Pa]
     double    softening_range;      ///< threshold multiple where D = 1 [1]
+    /// Product of the threshold and of the driver value where D = 1, from the
+    /// fracture energy; 0 where the softening range holds [1].
+    double end_times_threshold = 0.;
     /// Grady-Kipp rate of D^(1/3) at s equal to the scale r0 [1/s].
     double growth_rate;
     double weibull_modulus;
     double threshold_scale; ///< r0 of r_i = r0 w_i [1]
+    /// Rate of D^(1/3) per active flaw of Benz and Asphaug (1995): crack
+    /// speed over the radius of a ball of the particle's volume [1/s].
+    double flaw_speed;
 
     // Constants of the closed-form drivers.
     double von_mises_d, von_mises_P, extension_scale;
 
-    /// @param particle_volume [m^3] enters the Grady-Kipp rate alone.
+    /// A crack dissipates over this many spacings (measured, see
+    /// doc/theory.md, section 3).
+    static constexpr double band_width = 1.;
+    /// Softening as steep as it may be: D = 1 at this multiple of r.
+    static constexpr double least_range = 1.01;
+
+    /// @param particle its volume enters the Grady-Kipp rate alone, its
+    /// spacing the softening with a fracture energy.
     /// Throws InputError where the combination makes no sense.
     DamageLaw(const DamageParameters &parameters,
               const Elasticity       &elasticity,
               double                  compressive_strength,
-              double                  particle_volume);
+              const ParticleSize     &particle);
+
+    bool
+    has_fracture_energy() const
+    {
+      return end_times_threshold > 0.;
+    }
+
+    /// Multiple of the threshold @p r where D = 1 [1]. With a fracture energy
+    /// G_c (crack band, Bazant and Oh 1983) the area r f_t (range r f_t)/(2 E')
+    /// under the curve in tension, times the width of the band, is G_c for
+    /// every threshold and spacing.
+    double
+    range_at(const double r) const
+    {
+      return has_fracture_energy()
+                 ? std::max(least_range, end_times_threshold / (r * r))
+                 : softening_range;
+    }
   };
 
 
@@ -146,6 +186,21 @@ namespace Morsel::Materials
   }
 
 
+  /// Growth of D over @p dt with @p active of @p count explicit flaws (Benz
+  /// and Asphaug 1995): d(D^(1/3))/dt = active c_g/R, up to D = active/count.
+  inline double
+  explicit_flaw_damage(const DamageLaw   &law,
+                       const double       D,
+                       const unsigned int active,
+                       const unsigned int count,
+                       const double       dt)
+  {
+    const double root = std::cbrt(D) + active * law.flaw_speed * dt;
+    return std::max(
+        D, std::min(root * root * root, active / static_cast<double>(count)));
+  }
+
+
   /// Cauchy stress after softening. 'deviator': (1 - D) on the deviator and
   /// on tensile mean stress; 'tensile principal' (T3-56): (1 - D) on the
   /// tensile principal stresses.
@@ -168,14 +223,6 @@ namespace Morsel::Materials
   /// (m e)^(-1/m) for @p range towards 1.
   double
   bundle_peak(double weibull_modulus, double range);
-
-
-  /// Weibull(m, 1) threshold of one particle, a function of the seed and of
-  /// the particle's global index alone (the same on any number of ranks).
-  double
-  weibull_threshold(double             weibull_modulus,
-                    unsigned int       seed,
-                    unsigned long long index);
 } // namespace Morsel::Materials
 
 #endif

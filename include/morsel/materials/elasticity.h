@@ -30,6 +30,13 @@ namespace Morsel::Materials
         , p_wave_modulus(lambda + 2. * mu)
         , wave_speed(std::sqrt(p_wave_modulus / rho))
     {}
+
+    /// E' = E/(1 - nu^2), uniaxial stress over strain in plane strain [Pa].
+    double
+    plane_strain_modulus() const
+    {
+      return youngs_modulus / (1. - poissons_ratio * poissons_ratio);
+    }
   };
 
 

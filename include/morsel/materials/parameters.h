@@ -41,6 +41,9 @@ namespace Morsel::Materials
     double strength_ratio = 10.;
     /// The softening ends at this multiple of the threshold [1].
     double softening_range = 10.;
+    double fracture_energy = 0.; ///< G_c [J/m^2], 0: the range holds
+    /// Of the field of thresholds with 'correlated' flaws [m].
+    double correlation_length = 5e-4;
     /// Factor c of the threshold rule r_i = c w_i / b [1]: 1.16 makes the
     /// mean strength of a block of 101 x 101 particles between plates the
     /// prescribed one (peanut, almond and carrot, three seeds; the seeds

@@ -75,6 +75,14 @@ namespace Morsel::Scene
                   Findings           &findings);
 
 
+  /// Checks how a body fails: numerics that can break, flaws and softening that
+  /// the spacing resolves.
+  void
+  check_damage(const ParticleBody &body,
+               const Scene        &scene,
+               Findings           &findings);
+
+
   /// Checks that formulation, normalisation, kernel and corrections of a
   /// body go together.
   void

@@ -1,12 +1,13 @@
 #ifndef morsel_sph_damage_evolution_h
 #define morsel_sph_damage_evolution_h
 
-#include <morsel/materials/damage.h>
+#include <morsel/materials/flaws.h>
 #include <morsel/sph/bonds.h>
 #include <morsel/sph/pair_loops.h>
 #include <morsel/sph/particles.h>
 
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace Morsel::SPH
@@ -156,6 +157,8 @@ namespace Morsel::SPH
     const bool                  average_stress;
     const double                friend_distance_square;
     const double                hourglass_stiffness;
+    /// Where each flaw is followed on its own.
+    std::unique_ptr<const Materials::ExplicitFlaws> flaws;
 
     std::vector<unsigned int> newly_failed, failed_now, suspects;
     std::vector<Touched>      touched;
