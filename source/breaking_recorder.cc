@@ -105,6 +105,17 @@ namespace Morsel
   }
 
 
+  std::vector<int>
+  BreakingRecorder::labels(const unsigned int body) const
+  {
+    for (const Followed &f : followed)
+      if (f.body == body)
+        return Measure::fragments_of(*f.solid, scene.measures.fragment_share)
+            .label;
+    return {};
+  }
+
+
   void
   BreakingRecorder::follow()
   {

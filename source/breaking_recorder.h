@@ -34,6 +34,10 @@ namespace Morsel
     bool
     has_failed(unsigned int body) const;
 
+    /// The piece of each particle of body @p body now, -1 where it has failed.
+    std::vector<int>
+    labels(unsigned int body) const;
+
     /// Takes the present state in, at every step.
     void
     follow();

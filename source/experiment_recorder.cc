@@ -231,7 +231,7 @@ namespace Morsel
         const unsigned int            n    = p.n_owned;
         std::vector<dealii::Point<2>> points(n);
         std::vector<double> u, v, density(n), mises(n), xx(n), yy(n), xy(n),
-            failed;
+            failed, fragment;
         for (unsigned int i = 0; i < n; ++i)
           {
             const Motion &m = p.motion[i];
@@ -260,6 +260,9 @@ namespace Morsel
                  Field::Kind::scalar,
                  dealii::ArrayView<const double>(p.damage.data(), n)});
             fields.push_back({"failed", Field::Kind::scalar, failed});
+            const auto labels = breaking.labels(b);
+            fragment.assign(labels.begin(), labels.end());
+            fields.push_back({"fragment", Field::Kind::scalar, fragment});
           }
         frames[b]->write(experiment.time(), points, fields);
       }
