@@ -264,6 +264,9 @@ namespace Morsel
             fragment.assign(labels.begin(), labels.end());
             fields.push_back({"fragment", Field::Kind::scalar, fragment});
           }
+        const std::vector<double> modulus = body.youngs_moduli();
+        if (!modulus.empty())
+          fields.push_back({"youngs_modulus", Field::Kind::scalar, modulus});
         frames[b]->write(experiment.time(), points, fields);
       }
   }

@@ -312,6 +312,7 @@ namespace Morsel
         effects.push_back({"damage",
                            body.damage.enabled,
                            "Body " + body.name + "/Damage/Enabled"});
+        effects.push_back(effect_of_grains(body));
       }
     effects.push_back(
         {"supports and loads", !scene.conditions.empty(), "Conditions"});

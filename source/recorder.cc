@@ -212,6 +212,9 @@ namespace Morsel
     stroke.add(s);
     if (breakage)
       breakage->follow(bite.time());
+    if (const auto time = stroke.time_of_half_force();
+        time && *time == bite.time())
+      pattern_at_half = find_pattern();
 
     if (history_due.due(bite.time()))
       sample();
@@ -341,7 +344,9 @@ namespace Morsel
     write_fragments();
 
     summarise_stroke(reason);
+    summarise_break();
     summarise_fragments();
+    summarise_fragment_sizes();
     summarise_ledgers();
     summarise_run();
     summarise_effects();

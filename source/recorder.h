@@ -6,6 +6,7 @@
 #include <morsel/core/run_options.h>
 #include <morsel/measure/breakage.h>
 #include <morsel/measure/energy_ledger.h>
+#include <morsel/measure/fracture_pattern.h>
 #include <morsel/measure/fragments.h>
 #include <morsel/measure/stroke.h>
 #include <morsel/output/frames.h>
@@ -85,11 +86,26 @@ namespace Morsel
     void
     find_fragments();
 
+    std::optional<Measure::FracturePattern>
+    find_pattern() const;
+
     void
     summarise_stroke(StopReason reason);
 
+    /// How the food broke: the fall behind the peak and the pattern of damage.
+    void
+    summarise_break();
+
+    void
+    summarise_pattern(const std::optional<Measure::FracturePattern> &pattern,
+                      const std::string                             &suffix,
+                      const std::string                             &moment);
+
     void
     summarise_fragments();
+
+    void
+    summarise_fragment_sizes();
 
     void
     summarise_ledgers();
@@ -113,6 +129,9 @@ namespace Morsel
     std::unique_ptr<Measure::Breakage> breakage;
     Measure::Fragments                 fragments;
     Measure::Fragments                 intact;
+
+    /// When the force had fallen to half of its peak.
+    std::optional<Measure::FracturePattern> pattern_at_half;
 
     Cadence                            history_due, frame_due;
     std::unique_ptr<Output::History>   history;

@@ -36,7 +36,7 @@ namespace Morsel
         s_yy[i]     = s.yy;
         pressure[i] = -(s.xx + s.yy + s.zz) / 3.;
       }
-    const std::vector<Field> fields = {
+    std::vector<Field> fields = {
         {"displacement", Field::Kind::vector, displacement},
         {"velocity", Field::Kind::vector, velocity},
         {"damage", Field::Kind::scalar, damage},
@@ -47,6 +47,9 @@ namespace Morsel
         {"stress_xx", Field::Kind::scalar, s_xx},
         {"stress_yy", Field::Kind::scalar, s_yy},
         {"pressure", Field::Kind::scalar, pressure}};
+    const std::vector<double> modulus = solid.youngs_moduli();
+    if (!modulus.empty())
+      fields.push_back({"youngs_modulus", Field::Kind::scalar, modulus});
     particle_frames->write(bite.time(), points, fields);
 
     if (!plate_frames)

@@ -113,6 +113,7 @@ namespace Morsel
                        can_fail,
                        "implied by damage; costs nothing until something has "
                        "failed"});
+    effects.push_back(effect_of_grains(body));
     effects.push_back({"contact with plates (" + scene.contact.law + ")",
                        !scene.contact_pairs.empty(),
                        "Contact/Pairs"});

@@ -50,6 +50,21 @@ namespace Morsel
   }
 
 
+  Output::Effect
+  effect_of_grains(const Scene::ParticleBody &body)
+  {
+    const bool modulus  = body.grains.scatter_modulus();
+    const bool strength = body.grains.scatter_strength();
+    return {std::string("heterogeneity by grains") +
+                (modulus && strength ? " (modulus, strength)"
+                 : modulus           ? " (modulus)"
+                 : strength          ? " (strength)"
+                                     : ""),
+            modulus || strength,
+            "Body " + body.name + "/Grains/Size"};
+  }
+
+
   void
   add_provenance(Output::Summary   &summary,
                  const std::string &title,

@@ -2,6 +2,7 @@
 #define morsel_run_summary_h
 
 #include <morsel/output/summary.h>
+#include <morsel/scene/scene.h>
 #include <morsel/sph/static_solid.h>
 
 #include <mpi.h>
@@ -29,6 +30,11 @@ namespace Morsel
   /// Unknowns, iterations and how converged a static solution is.
   void
   add_static_report(Output::Summary &summary, const SPH::StaticReport &report);
+
+
+  /// Whether a body's grains differ, and in what.
+  Output::Effect
+  effect_of_grains(const Scene::ParticleBody &body);
 
 
   /// Title, versions, hash of the parameters, ranks, threads, peak memory;

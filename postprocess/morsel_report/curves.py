@@ -1,6 +1,7 @@
 """Curves over the stroke: force, stress, energy, and the pieces' sizes."""
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from . import style
 
@@ -69,7 +70,8 @@ def force_over_time(run):
 
 
 def stress_over_strain(run):
-    """Nominal stress against strain, with the prescribed strength."""
+    """Nominal stress against strain: stiffness, peak, residual strength and
+    what was prescribed."""
     strain, stress = run.column("nominal_strain"), run.column("nominal_stress")
     if strain is None or stress is None or len(strain) < 2:
         return None
@@ -79,6 +81,9 @@ def stress_over_strain(run):
     factor, unit = style.prefix_of(top, "Pa")
     figure, axes = plt.subplots(figsize=(6.2, 3.7), layout="constrained")
     axes.plot(100 * strain, factor * stress, color=style.BLUE)
+    mark_stiffness(axes, run, strain, stress, factor)
+    mark_peak(axes, run, strain, stress, factor)
+    mark_residual(axes, run, strain, factor)
     axes.set_xlim(0, 100 * np.max(strain))
     axes.set_ylim(min(0.0, factor * np.min(stress)), 1.14 * factor * top)
     if reference:
@@ -93,6 +98,55 @@ def stress_over_strain(run):
     axes.set_xlabel("Nominal strain (closure over height) [%]")
     axes.set_ylabel(f"Nominal stress [{unit}]")
     return figure
+
+
+def mark_stiffness(axes, run, strain, stress, factor):
+    """The line of the measured stiffness through the middle of the range in
+    which it was measured, up to the peak's height."""
+    stiffness = run.value("nominal_stiffness")
+    peak = int(np.argmax(stress))
+    if not stiffness or not stress[peak] > 0:
+        return
+    rise = np.arange(peak + 1)
+    middle = rise[(stress[rise] >= 0.2 * stress[peak])
+                  & (stress[rise] <= 0.6 * stress[peak])]
+    if not len(middle):
+        return
+    start = (strain[middle].mean() - stress[middle].mean() / stiffness)
+    end = start + stress[peak] / stiffness
+    axes.plot([100 * start, 100 * end], [0, factor * stress[peak]],
+              color=style.GREEN, lw=1.2, ls=(0, (2, 2)),
+              label="stiffness " + style.quantity(stiffness, "Pa", 3))
+
+
+def mark_peak(axes, run, strain, stress, factor):
+    """The peak, and where the force had fallen to half of it."""
+    peak = int(np.argmax(stress))
+    if run.value("failed_share") is None or not stress[peak] > 0:
+        return
+    axes.plot(100 * strain[peak], factor * stress[peak], "o", ms=5,
+              color=style.INK, zorder=5,
+              label="peak " + style.quantity(float(stress[peak]), "Pa", 3)
+              + " at " + style.percent(float(strain[peak])))
+    drop = run.value("strain_from_peak_to_half")
+    if drop is not None:
+        axes.plot(100 * (run.value("strain_at_peak", strain[peak]) + drop),
+                  0.5 * factor * stress[peak], "v", ms=5, color=style.INK,
+                  zorder=5, label="fallen to half")
+
+
+def mark_residual(axes, run, strain, factor):
+    """The residual strength over the part of the stroke that it is of."""
+    residual, drop = (run.value("residual_strength"),
+                      run.value("strain_from_peak_to_half"))
+    at_peak = run.value("strain_at_peak")
+    if None not in (residual, drop, at_peak):
+        begin = 0.5 * (at_peak + drop + strain[-1])
+        axes.plot([100 * begin, 100 * strain[-1]], 2 * [factor * residual],
+                  color=style.ORANGE, lw=2.0,
+                  label="residual " + style.quantity(residual, "Pa", 3))
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(loc="best", fontsize=8.5)
 
 
 def energy_ledger(run):
@@ -141,9 +195,7 @@ def energy_ledger(run):
 
 def fragment_sizes(run):
     """The fragments' shares of the food, the largest first, with their sum."""
-    share = run.fragments.get("mass share")
-    if share is None:
-        share = run.fragments.get("mass_share")
+    share = run.fragments.get("mass_share")
     if share is None or len(share) == 0:
         return None
     share = np.sort(share)[::-1]
@@ -167,6 +219,45 @@ def fragment_sizes(run):
     total.set_ylabel("Together [%]")
     total.spines["right"].set_visible(True)
     total.grid(False)
+    return figure
+
+
+def fragment_distribution(run):
+    """The share of the food in pieces below a size, by diameters of circles
+    of equal area; what has failed altogether has none."""
+    share, area = (run.fragments.get(name) for name in ("mass_share", "area"))
+    if share is None or area is None or len(share) < 2:
+        return None
+    order = np.argsort(area)
+    diameter = np.sqrt(4.0 * area[order] / np.pi)
+    dust = max(0.0, 1.0 - float(np.sum(share)))
+    below = dust + np.cumsum(share[order])
+    factor, unit = style.prefix_of(1e-3 * diameter.max(), "m")
+    diameter = 1e-3 * factor * diameter
+    figure, axes = plt.subplots(figsize=(6.2, 3.7), layout="constrained")
+    left = 0.6 * diameter[0]
+    axes.step(np.concatenate([[left], diameter, [1.3 * diameter[-1]]]),
+              100 * np.concatenate([[dust], below, [below[-1]]]),
+              where="post", color=style.BLUE)
+    axes.fill_between([left, 1.3 * diameter[-1]], 100 * dust,
+                      color=style.DUST, lw=0, alpha=0.6)
+    if dust > 0.02:
+        axes.annotate("dust", (left, 100 * dust), xytext=(4, -11),
+                      textcoords="offset points", fontsize=9)
+    median = run.value("fragment_median_size")
+    if median:
+        axes.plot(factor * median, 50, "o", ms=5, color=style.INK, zorder=5)
+        axes.annotate("median " + style.quantity(median, "m", 3),
+                      (factor * median, 50), xytext=(-6, 5), ha="right",
+                      textcoords="offset points", fontsize=9)
+    axes.set_xscale("log")
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.xaxis.set_major_formatter("{x:g}")
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.set_xlim(left, 1.3 * diameter[-1])
+    axes.set_ylim(0, 102)
+    axes.set_xlabel(f"Diameter of a piece (circle of equal area) [{unit}]")
+    axes.set_ylabel("Share of the food in smaller pieces [%]")
     return figure
 
 

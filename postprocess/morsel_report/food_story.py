@@ -2,6 +2,9 @@
 from . import curves, food, style
 from .tables import warnings_of
 
+# Of measured fracture patterns; dust at random stays below.
+LEAST_SHARPNESS = 0.05
+
 KICKER = "MORSEL · how food breaks between teeth"
 
 FIGURES = [
@@ -16,9 +19,13 @@ FIGURES = [
     ("force", curves.force_over_time, "Force on the plates over time.", False),
     ("stress_strain", curves.stress_over_strain,
      "Nominal stress (mean force over the loaded area) against nominal "
-     "strain.", False),
+     "strain: the slope of the rise, the peak, where it had fallen to half, "
+     "and what is carried on.", False),
     ("fragment_sizes", curves.fragment_sizes,
      "How large the pieces are: bars for each, line for their sum.", False),
+    ("fragment_distribution", curves.fragment_distribution,
+     "How fine the food has become: the share of its mass in pieces below a "
+     "size.", False),
     ("failed_share", curves.failed_share,
      "How much of the food has failed altogether.", False),
     ("energy", curves.energy_ledger,
@@ -29,7 +36,8 @@ FIGURES = [
 
 SECTIONS = [
     ("The food between the plates", ["moments"]),
-    ("The pieces", ["fragments", "fragment_sizes", "failed_share"]),
+    ("The pieces", ["fragments", "fragment_sizes", "fragment_distribution",
+                    "failed_share"]),
     ("Force and stress", ["force", "stress_strain"]),
     ("The energy ledger", ["energy"]),
 ]
@@ -79,7 +87,22 @@ def outcome(run):
             text += (f"; {style.percent(failed)} of the mass has crumbled to "
                      "dust")
         sentences.append(text + ".")
+    if not given and count is not None:
+        sentences += direction(run)
     return " ".join(sentences)
+
+
+def direction(run):
+    """Which way the damage runs, where it does run one way."""
+    angle, sharpness = (run.value("fracture_angle"),
+                        run.value("fracture_sharpness"))
+    if angle is None or sharpness is None:
+        return []
+    if sharpness < LEAST_SHARPNESS:
+        return ["When the force had fallen to half, the damage had no clear "
+                "direction."]
+    return [f"When the force had fallen to half, the damage ran at "
+            f"{angle:.0f}° to the direction of loading."]
 
 
 def tables(_run):

@@ -16,6 +16,28 @@ namespace Morsel::Materials
              : name == "extension strain" ? Driver::extension_strain
                                           : Driver::modified_von_mises;
     }
+
+
+    Growth
+    growth_named(const std::string &name)
+    {
+      return name == "Grady-Kipp"         ? Growth::grady_kipp
+             : name == "linear softening" ? Growth::linear_softening
+                                          : Growth::energy_softening;
+    }
+
+
+    /// Elastic energy of a stress [J/m^3].
+    double
+    energy_density(const Elasticity &elasticity, const PlaneStrainStress &s)
+    {
+      const double trace = s.xx + s.yy + s.zz;
+      const double squares =
+          s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2. * s.xy * s.xy;
+      const double nu = elasticity.poissons_ratio;
+      return ((1. + nu) * squares - nu * trace * trace) /
+             (2. * elasticity.youngs_modulus);
+    }
   } // namespace
 
 
@@ -24,8 +46,7 @@ namespace Morsel::Materials
                        const double            strength,
                        const ParticleSize     &particle)
       : driver(driver_named(parameters.driver))
-      , growth(parameters.growth == "Grady-Kipp" ? Growth::grady_kipp
-                                                 : Growth::linear_softening)
+      , growth(growth_named(parameters.growth))
       , softening(parameters.softening == "deviator"
                       ? Softening::deviator
                       : Softening::tensile_principal)
@@ -47,22 +68,18 @@ namespace Morsel::Materials
           2. * elasticity.plane_strain_modulus() * parameters.fracture_energy /
           (tensile_strength * tensile_strength * band_width * particle.spacing);
 
-    // Uniform thresholds have no scatter to make good for: b = 1.
-    threshold_scale = parameters.threshold_factor;
+    // What thresholds of scatter are divided by: with energy softening the
+    // strength of a block is nearly the mean one, where softening is brittle
+    // in compression that of a bundle.
+    double b = 1.;
     if (parameters.flaws != "uniform")
-      {
-        // What fails as one: a patch of the field, or else a particle.
-        const double patch =
-            parameters.flaws == "correlated"
-                ? std::max(parameters.correlation_length, particle.spacing)
-                : particle.spacing;
-        const double range =
-            has_fracture_energy()
-                ? end_times_threshold * particle.spacing / patch
-                : softening_range;
-        threshold_scale /=
-            bundle_peak(weibull_modulus, std::max(range, least_range));
-      }
+      b = growth == Growth::energy_softening
+              ? std::tgamma(1. + 1. / weibull_modulus)
+              : bundle_peak(weibull_modulus,
+                            has_fracture_energy()
+                                ? std::max(end_times_threshold, least_range)
+                                : softening_range);
+    threshold_scale = parameters.threshold_factor / b;
 
     // Modified von Mises, exact for uniaxial stress in plane strain.
     const double A = 1. - nu + nu * nu;
@@ -114,6 +131,65 @@ namespace Morsel::Materials
             mean - amplitude * c2,
             amplitude * s_2,
             sigma.zz > 0. ? keep * sigma.zz : sigma.zz};
+  }
+
+
+  PlaneStrainStress
+  soften(const Softening softening, const PlaneStrainStress &s, const double D)
+  {
+    ElasticResponse response{};
+    response.mean     = (s.xx + s.yy + s.zz) / 3.;
+    response.deviator = {
+        s.xx - response.mean, s.yy - response.mean, s.xy, s.zz - response.mean};
+    return soften(softening, response, D);
+  }
+
+
+  Softened
+  energy_softening(const DamageLaw         &law,
+                   const Elasticity        &elasticity,
+                   const PlaneStrainStress &stress,
+                   const bool               cut_off,
+                   const double             r,
+                   const double             energy,
+                   const Softened          &state)
+  {
+    const auto driver_at = [&](const double D) {
+      return driver_value(
+          law, elasticity, soften(law.softening, stress, D), cut_off);
+    };
+    const double s = driver_at(state.damage);
+    if (s <= r * (1. - state.used))
+      return state;
+
+    // The strength of this direction is where the softened stress, scaled,
+    // meets s = 1.
+    const double capacity =
+        law.range_at(r) * r * r *
+        energy_density(elasticity,
+                       soften(law.softening, stress, state.damage)) /
+        (s * s);
+    const double use_per_damage = energy / capacity;
+    const auto   excess         = [&](const double D) {
+      return driver_at(D) -
+             r * (1. - state.used - use_per_damage * (D - state.damage));
+    };
+
+    // Convex: Newton's method comes from the left to the first root. Where
+    // there is none, more energy is stored than can be used up: it fails.
+    double D = state.damage;
+    for (unsigned int iteration = 0; iteration < 30; ++iteration)
+      {
+        constexpr double step  = 1e-7;
+        const double     value = excess(D);
+        if (value <= 1e-10 * s)
+          return {D, state.used + use_per_damage * (D - state.damage)};
+        const double slope = (excess(D + step) - value) / step;
+        if (!(slope < 0.) || D - value / slope >= 1.)
+          break;
+        D -= value / slope;
+      }
+    return {1., 1.};
   }
 
 

@@ -68,10 +68,12 @@ namespace Morsel::Materials
     prm.add_parameter(
         "Growth",
         growth,
-        "How damage grows beyond the threshold: 'linear softening' "
-        "(independent of rate) or 'Grady-Kipp' (T3-53, T3-54; strength grows "
-        "with rate).",
-        Patterns::Selection("linear softening|Grady-Kipp"));
+        "How damage grows beyond the threshold: 'energy softening' (the "
+        "strength falls with the energy dissipated, independent of rate), "
+        "'linear softening' (with the largest undamaged stress so far; brittle "
+        "in compression whatever the range) or 'Grady-Kipp' (T3-53, T3-54; "
+        "strength grows with rate).",
+        Patterns::Selection("energy softening|linear softening|Grady-Kipp"));
     prm.add_parameter(
         "Softening",
         softening,

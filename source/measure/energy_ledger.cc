@@ -58,8 +58,9 @@ namespace Morsel::Measure
     worst_gap  = std::max(worst_gap, std::abs(gap));
     if (force > peak_force)
       {
-        peak_force = force;
-        error_peak = error_last;
+        peak_force  = force;
+        error_peak  = error_last;
+        peak_sample = energies;
       }
     return error_last;
   }
@@ -90,6 +91,13 @@ namespace Morsel::Measure
   EnergyLedger::last() const
   {
     return last_sample;
+  }
+
+
+  const Energies &
+  EnergyLedger::at_peak() const
+  {
+    return peak_sample;
   }
 
 

@@ -47,12 +47,18 @@ namespace Morsel::Measure
         peak_time  = sample.time;
         peak_index = points.size() - 1;
         // What fell before a higher peak was no failure.
+        half_time.reset();
         if (!failed)
           failure_time.reset();
         return;
       }
     const bool counts =
         peak > 0. && peak / settings.loaded_area >= settings.minimum_peak;
+    if (counts && !half_time && force < 0.5 * peak)
+      {
+        half_time  = sample.time;
+        half_index = points.size() - 1;
+      }
     if (counts && !failure_time && force < settings.residual_force * peak)
       {
         failure_time    = sample.time;
@@ -182,5 +188,51 @@ namespace Morsel::Measure
   Stroke::time_of_failure() const
   {
     return failure_time;
+  }
+
+
+  std::optional<double>
+  Stroke::time_of_half_force() const
+  {
+    return half_time;
+  }
+
+
+  std::optional<double>
+  Stroke::strain_from_peak_to_half() const
+  {
+    if (!half_time)
+      return std::nullopt;
+    return points[half_index].strain - strain_at_peak();
+  }
+
+
+  std::optional<double>
+  Stroke::brittleness() const
+  {
+    if (!half_time || !(points[half_index].strain > 0.))
+      return std::nullopt;
+    return strain_at_peak() / points[half_index].strain;
+  }
+
+
+  std::optional<double>
+  Stroke::residual_strength() const
+  {
+    if (!half_time)
+      return std::nullopt;
+    const double begin =
+        0.5 * (points[half_index].strain + points.back().strain);
+    double work = 0., strain = 0.;
+    for (std::size_t i = half_index + 1; i < points.size(); ++i)
+      if (points[i - 1].strain >= begin)
+        {
+          const double step = points[i].strain - points[i - 1].strain;
+          strain += step;
+          work += 0.5 * step * (points[i].stress + points[i - 1].stress);
+        }
+    if (!(strain > 0.))
+      return std::nullopt;
+    return work / strain;
   }
 } // namespace Morsel::Measure

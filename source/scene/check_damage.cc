@@ -40,7 +40,7 @@ namespace Morsel::Scene
     {
       const auto       &material = body.material;
       const std::string path = "Body " + body.name + "/Damage/Fracture energy";
-      if (body.damage.growth != "linear softening")
+      if (body.damage.growth == "Grady-Kipp")
         {
           findings.mistake(path,
                            "Grady-Kipp growth has no fracture energy of its "

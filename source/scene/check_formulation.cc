@@ -1,3 +1,4 @@
+#include <morsel/core/suggestions.h>
 #include <morsel/scene/findings.h>
 
 namespace Morsel::Scene
@@ -44,6 +45,51 @@ namespace Morsel::Scene
         findings.advise(section + "Formulation",
                         "without artificial stress the updated Lagrangian form "
                         "breaks numerically between 0.5 and 2 % of tension.");
+    }
+
+
+    void
+    check_grains(const ParticleBody &body,
+                 const Scene        &scene,
+                 Findings           &findings)
+    {
+      const Materials::GrainParameters &grains  = body.grains;
+      const std::string                 section = "Body " + body.name + "/";
+      const bool                        asked =
+          grains.modulus_scatter > 0. || grains.strength_scatter > 0.;
+      if (grains.size == 0.)
+        {
+          if (asked)
+            findings.advise(section + "Grains/Size",
+                            "without a size there are no grains that could "
+                            "scatter; give their mean diameter in m.");
+          return;
+        }
+      if (!asked)
+        findings.advise(section + "Grains/Size",
+                        "all grains are alike; give 'Modulus scatter' or "
+                        "'Strength scatter'.");
+      if (scene.time.is_static() || body.solid.is_updated())
+        findings.mistake(
+            section + "Grains/Size",
+            "grains are computed in transients of the total "
+            "Lagrangian form alone; give 0 here or take "
+            "'Time/Solution' = 'transient' and 'Solid/Formulation' "
+            "= 'total Lagrangian'.");
+      if (grains.strength_scatter > 0. && !body.damage.enabled)
+        findings.advise(section + "Grains/Strength scatter",
+                        "a solid that cannot fail (Damage/Enabled) has no "
+                        "thresholds.");
+      if (grains.size < 3. * body.spacing)
+        findings.advise(section + "Grains/Size",
+                        "grains of " + number_text(grains.size / body.spacing) +
+                            " particle spacings are hardly resolved, and what "
+                            "the body does depends on the spacing; take at "
+                            "least 3, better 6.");
+      if (!body.cracks.paths.empty() && grains.scatter_modulus())
+        findings.advise(section + "Grains/Modulus scatter",
+                        "stress intensity factors are evaluated with one "
+                        "modulus, the material's.");
     }
 
 
@@ -97,6 +143,7 @@ namespace Morsel::Scene
                        "the total Lagrangian form has its stress from the "
                        "deformation; leave it out or take 'Formulation' = "
                        "'updated Lagrangian'.");
+    check_grains(body, scene, findings);
     check_normalisation(body, findings);
   }
 } // namespace Morsel::Scene

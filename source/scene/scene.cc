@@ -85,6 +85,10 @@ namespace Morsel::Scene
     material.declare(prm);
     prm.leave_subsection();
 
+    prm.enter_subsection("Grains");
+    grains.declare(prm);
+    prm.leave_subsection();
+
     prm.enter_subsection("Damage");
     damage.declare(prm);
     prm.leave_subsection();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace Morsel::SPH
@@ -57,8 +58,7 @@ namespace Morsel::SPH
             pair_kernels().average_driver[static_cast<int>(law.driver)])
       , average_stress(parameters.average_stress)
       , friend_distance_square(friend_distance * friend_distance)
-      , hourglass_stiffness(
-            particles.hourglass.empty() ? 0. : particles.hourglass[0])
+      , hourglass_stiffness(loop_constants.uniform_hourglass)
       , is_touched(particles.n_local, 0)
       , exposed(particles.n_local, 0)
       , contact_diameter(particles.n_local, particles.spacing)
@@ -74,6 +74,8 @@ namespace Morsel::SPH
     particles.damage_heat.assign(n, 0.);
     particles.threshold = Materials::thresholds(
         parameters, law, seed, particles.id, particles.reference, n);
+    if (law.growth == Materials::Growth::energy_softening)
+      particles.used.assign(n, 0.);
     if (parameters.flaws == "Benz-Asphaug" &&
         law.growth == Materials::Growth::grady_kipp)
       flaws = std::make_unique<Materials::ExplicitFlaws>(
@@ -201,9 +203,9 @@ namespace Morsel::SPH
   void
   DamageEvolution::grow(const BondedArrays &arrays, const unsigned int g)
   {
-    double drivers[group_size];
+    AveragedStress average;
     if (average_stress)
-      average_driver(arrays, constants, g, drivers);
+      average_driver(arrays, constants, g, average);
     for (unsigned int l = 0; l < group_size; ++l)
       {
         const unsigned int i = g * group_size + l;
@@ -213,13 +215,20 @@ namespace Morsel::SPH
         const auto  &H = particles.gradient[i];
         const double J = (1. + H.xx) * (1. + H.yy) - H.xy * H.yx;
         const double s = average_stress
-                             ? drivers[l]
+                             ? average.driver[l]
                              : Materials::driver_value(law,
                                                        material,
                                                        particles.effective[i],
                                                        !particles.near_face[i]);
         if (!linear_law && !(J > crushed_jacobian))
           release_damage(i, 1.);
+        else if (law.growth == Materials::Growth::energy_softening)
+          {
+            if (s > r * (1. - particles.used[i]))
+              soften(i,
+                     average_stress ? average.stress(l)
+                                    : particles.effective[i]);
+          }
         else if (flaws)
           release_damage(
               i,
@@ -241,5 +250,44 @@ namespace Morsel::SPH
         if (particles.damage[i] >= failure_damage)
           any_full[g] = 1;
       }
+    if (law.growth == Materials::Growth::energy_softening)
+      weakest_of_group[g] = weakest_in(g);
+  }
+
+
+  double
+  DamageEvolution::weakest_in(const unsigned int g) const
+  {
+    double weakest = std::numeric_limits<double>::infinity();
+    for (unsigned int i = g * group_size;
+         i < std::min(particles.n_owned, (g + 1) * group_size);
+         ++i)
+      if (!particles.failed[i])
+        weakest = std::min(weakest,
+                           particles.threshold[i] * (1. - particles.used[i]));
+    return weakest;
+  }
+
+
+  void
+  DamageEvolution::soften(const unsigned int                  i,
+                          const Materials::PlaneStrainStress &stress)
+  {
+    const Materials::ElasticResponse response =
+        response_to(particles.gradient[i], material, linear_law);
+    const double energy =
+        particles.modulus_factor(i) *
+        (response.deviatoric_energy +
+         (response.jacobian < 1. ? 0. : response.volumetric_energy));
+    const Materials::Softened now =
+        Materials::energy_softening(law,
+                                    material,
+                                    stress,
+                                    !particles.near_face[i],
+                                    particles.threshold[i],
+                                    energy,
+                                    {particles.damage[i], particles.used[i]});
+    particles.used[i] = now.used;
+    release_damage(i, now.used >= failure_damage ? 1. : now.damage);
   }
 } // namespace Morsel::SPH

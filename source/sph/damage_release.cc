@@ -46,8 +46,9 @@ namespace Morsel::SPH
       return;
     const double D = new_damage >= failure_damage ? 1. : new_damage;
     particles.damage_heat[i] += mean_energy(i, old) - mean_energy(i, D);
-    particles.damage[i]    = D;
-    particles.hourglass[i] = hourglass_stiffness * (1. - D);
+    particles.damage[i] = D;
+    particles.hourglass[i] =
+        hourglass_stiffness * (1. - D) * particles.modulus_factor(i);
   }
 
 
@@ -57,12 +58,13 @@ namespace Morsel::SPH
                           const double              residual,
                           const double              damage) const
   {
-    return particles.volume(i) *
-               Materials::stored_energy(law.softening,
-                                        material,
-                                        response_to(H, material, linear_law),
-                                        damage) +
-           hourglass_stiffness * (1. - damage) * residual;
+    return particles.modulus_factor(i) *
+           (particles.volume(i) *
+                Materials::stored_energy(law.softening,
+                                         material,
+                                         response_to(H, material, linear_law),
+                                         damage) +
+            hourglass_stiffness * (1. - damage) * residual);
   }
 
 

@@ -142,6 +142,8 @@ namespace Morsel::SPH
                           const double              dt)
   {
     const double before = energy[i];
+    const double factor = particles.modulus_factor(i);
+    const double bulk = factor * material.bulk, mu = factor * material.mu;
     const double volume = particles.volume(i) / ratio[i];
     const double tr     = (L.xx + L.yy) * dt;
     const double d_xx   = L.xx * dt - tr / 3.;
@@ -149,16 +151,16 @@ namespace Morsel::SPH
     const double d_xy   = 0.5 * (L.xy + L.yx) * dt;
     const double spin   = 0.5 * (L.xy - L.yx) * dt;
     const double p_old =
-        std::max(0., -Materials::mean_stress(material.bulk, 1. / ratio[i]));
+        std::max(0., -Materials::mean_stress(bulk, 1. / ratio[i]));
 
     ratio[i] *= std::exp(-tr);
     const double p_new =
-        std::max(0., -Materials::mean_stress(material.bulk, 1. / ratio[i]));
+        std::max(0., -Materials::mean_stress(bulk, 1. / ratio[i]));
 
     const Symmetric2 s    = deviator[i];
-    Symmetric2       t    = {s.xx + 2. * material.mu * d_xx + 2. * spin * s.xy,
-                             s.yy + 2. * material.mu * d_yy - 2. * spin * s.xy,
-                             s.xy + 2. * material.mu * d_xy + spin * (s.yy - s.xx)};
+    Symmetric2       t    = {s.xx + 2. * mu * d_xx + 2. * spin * s.xy,
+                             s.yy + 2. * mu * d_yy - 2. * spin * s.xy,
+                             s.xy + 2. * mu * d_xy + spin * (s.yy - s.xx)};
     const double     t_zz = -t.xx - t.yy;
     const double     J2 =
         0.5 * (t.xx * t.xx + t.yy * t.yy + t_zz * t_zz) + t.xy * t.xy;
@@ -308,8 +310,10 @@ namespace Morsel::SPH
   Materials::PlaneStrainStress
   Granular::stress(const unsigned int i) const
   {
-    const double mean =
-        std::min(0., Materials::mean_stress(material.bulk, 1. / ratio[i]));
+    const double mean = std::min(
+        0.,
+        Materials::mean_stress(particles.modulus_factor(i) * material.bulk,
+                               1. / ratio[i]));
     const Symmetric2 s = deviator[i];
     return {mean + s.xx, mean + s.yy, s.xy, mean - s.xx - s.yy};
   }
@@ -322,11 +326,13 @@ namespace Morsel::SPH
     const double     s_zz = -s.xx - s.yy;
     const double     ss =
         s.xx * s.xx + s.yy * s.yy + s_zz * s_zz + 2. * s.xy * s.xy;
+    // The deviator is a stress: its energy goes with the compliance.
+    const double f = particles.modulus_factor(i);
     return particles.volume(i) *
-           ((ratio[i] > 1.
-                 ? Materials::volumetric_energy(material.bulk, 1. / ratio[i])
-                 : 0.) +
-            ss / (4. * material.mu * ratio[i]));
+           ((ratio[i] > 1. ? Materials::volumetric_energy(f * material.bulk,
+                                                          1. / ratio[i])
+                           : 0.) +
+            ss / (4. * f * material.mu * ratio[i]));
   }
 
 

@@ -10,18 +10,19 @@ namespace Morsel::SPH
   BondedArrays
   bonded_arrays(Particles &p, const Bonds &bonds)
   {
-    const PackedBonds &b = bonds.packed;
-    return {b.slot_begin.data(),   b.slot_end.data(),  b.near_end.data(),
-            b.weight.data(),       b.dx.data(),        b.dy.data(),
-            b.average.data(),      b.index.data(),     p.n_owned,
-            p.motion.data(),       p.shape.data(),     p.hourglass.data(),
-            p.damage.data(),       p.near_face.data(), p.gradient.data(),
-            p.pair_stress.data(),  p.effective.data(), p.acceleration.data(),
-            p.viscous_heat.data(), p.driver.data(),    p.crushed.data(),
-            p.strongest.data(),    p.fit.data(),       p.mass.data(),
-            b.own_x.data(),        b.own_y.data(),     b.back_x.data(),
-            b.back_y.data(),       b.damping.data(),   p.own_sum.data(),
-            p.deficit.data(),      p.fit_stress.data()};
+    const PackedBonds  &b       = bonds.packed;
+    const double *const modulus = p.modulus.empty() ? nullptr : &p.modulus[0];
+    return {b.slot_begin.data(),   b.slot_end.data(),   b.near_end.data(),
+            b.weight.data(),       b.dx.data(),         b.dy.data(),
+            b.average.data(),      b.index.data(),      p.n_owned,
+            p.motion.data(),       p.shape.data(),      p.hourglass.data(),
+            p.damage.data(),       p.near_face.data(),  p.gradient.data(),
+            p.pair_stress.data(),  p.effective.data(),  p.acceleration.data(),
+            p.viscous_heat.data(), p.driver.data(),     p.crushed.data(),
+            p.strongest.data(),    p.fit.data(),        p.mass.data(),
+            b.own_x.data(),        b.own_y.data(),      b.back_x.data(),
+            b.back_y.data(),       b.damping.data(),    p.own_sum.data(),
+            p.deficit.data(),      p.fit_stress.data(), modulus};
   }
 
 
@@ -39,23 +40,28 @@ namespace Morsel::SPH
 
   namespace
   {
-    /// Displacement after a time, at the present velocity.
+    /// Displacement now, or after the coming leapfrog step.
     struct Displacement
     {
-      double ahead; ///< [s]
+      double step; ///< [s], 0: now
 
       Vector2
-      operator()(const Motion &m) const
+      operator()(const Particles &p, const unsigned int i) const
       {
-        return {m.u_x + ahead * m.v_x, m.u_y + ahead * m.v_y};
+        const Vector2 u{p.motion[i].u_x, p.motion[i].u_y};
+        if (step == 0.)
+          return u;
+        const Vector2 v = p.half_velocity[i], a = p.acceleration[i];
+        return {u.x + step * (v.x + step * a.x),
+                u.y + step * (v.y + step * a.y)};
       }
     };
 
 
     Vector2
-    velocity(const Motion &m)
+    velocity(const Particles &p, const unsigned int i)
     {
-      return {m.v_x, m.v_y};
+      return {p.motion[i].v_x, p.motion[i].v_y};
     }
 
 
@@ -68,12 +74,12 @@ namespace Morsel::SPH
            const Field       &field,
            const Weight      &weight)
     {
-      const Vector2 own = field(p.motion[i]);
+      const Vector2 own = field(p, i);
       Tensor2       m{0., 0., 0., 0.};
       for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
            ++k)
         {
-          const Vector2 v  = field(p.motion[bonds.list.index[k]]);
+          const Vector2 v  = field(p, bonds.list.index[k]);
           const Vector2 g  = weight(k);
           const double  dx = v.x - own.x, dy = v.y - own.y;
           m.xx += dx * g.x;
@@ -188,11 +194,11 @@ namespace Morsel::SPH
                  ? (ahead == 0. ? p.gradient[i]
                                 : displacement_gradient(p, bonds, i, ahead))
                  : product(weighted_moment(p, bonds, i, displacement), p.fit[i]);
-    const Vector2 own = displacement(p.motion[i]);
+    const Vector2 own = displacement(p, i);
     double        sum = 0.;
     for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
       {
-        const Vector2 u = displacement(p.motion[bonds.list.index[k]]);
+        const Vector2 u = displacement(p, bonds.list.index[k]);
         const double  X = bonds.dx[k], Y = bonds.dy[k];
         const double  e_x = u.x - own.x - H.xx * X - H.xy * Y;
         const double  e_y = u.y - own.y - H.yx * X - H.yy * Y;

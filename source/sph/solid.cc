@@ -1,5 +1,6 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/parallel.h>
+#include <morsel/materials/grains.h>
 #include <morsel/sph/body_cloud.h>
 #include <morsel/sph/body_cracks.h>
 #include <morsel/sph/highest_frequency.h>
@@ -69,10 +70,11 @@ namespace Morsel::SPH
             // Where hourglass control is stiffer than stress, its own highest
             // frequency rules: 3.4 alpha E/(rho h^2) is the largest square of
             // it (measured over kernels and smoothing ratios).
-            : std::max(
-                  square_of_highest_frequency(material.wave_speed, kernel.h),
-                  3.4 * hourglass_stiffness /
-                      (material.density * kernel.h * kernel.h));
+            : largest_modulus_factor() *
+                  std::max(square_of_highest_frequency(material.wave_speed,
+                                                       kernel.h),
+                           3.4 * hourglass_stiffness /
+                               (material.density * kernel.h * kernel.h));
     if (body.damage.enabled)
       make_breakable(body, scene);
   }
@@ -107,6 +109,7 @@ namespace Morsel::SPH
                           material.density);
     else
       take_cells(cloud);
+    scatter_modulus(body, seed);
     allocate(body);
     const Visibility visibility =
         visibility_in(body, particles.reference, kernel.support());
@@ -148,6 +151,29 @@ namespace Morsel::SPH
 
 
   void
+  Solid::scatter_modulus(const Scene::ParticleBody &body,
+                         const unsigned int         seed)
+  {
+    if (!body.grains.scatter_modulus())
+      return;
+    const Materials::GrainField grains(
+        body.grains, material.poissons_ratio, seed);
+    for (const dealii::Point<2> &x : particles.reference)
+      particles.modulus.push_back(grains.modulus_factor(x));
+  }
+
+
+  double
+  Solid::largest_modulus_factor() const
+  {
+    double largest = particles.modulus.empty() ? 1. : 0.;
+    for (const double f : particles.modulus)
+      largest = std::max(largest, f);
+    return host.maximum(largest);
+  }
+
+
+  void
   Solid::allocate(const Scene::ParticleBody &body)
   {
     const unsigned int n = particles.n_local;
@@ -156,6 +182,8 @@ namespace Morsel::SPH
     particles.gradient.assign(n, {0., 0., 0., 0.});
     particles.pair_stress.assign(n, {0., 0., 0., 0.});
     particles.hourglass.assign(n, hourglass_stiffness);
+    for (unsigned int i = 0; i < particles.modulus.size(); ++i)
+      particles.hourglass[i] *= particles.modulus[i];
     if (viscosity)
       particles.viscous_heat.assign(n, 0.);
     if (normalisation == Normalisation::conforming)
@@ -221,7 +249,7 @@ namespace Morsel::SPH
     constants.viscosity_beta   = body.solid.viscosity_beta;
     constants.smoothing_length = kernel.h;
 
-    // Nothing is decided inside the loops.
+    // Nothing is decided inside the loops over pairs.
     const PairKernels &kernels    = pair_kernels();
     const unsigned int softened   = !body.damage.enabled ? 0
                                     : softening == Materials::Softening::deviator
@@ -231,8 +259,9 @@ namespace Morsel::SPH
     strain_loop = conforming ? kernels.strain_conforming[linear_law][softened]
                   : particles.fit.empty() ? kernels.strain[linear_law][softened]
                                           : kernels.strain_own_fit[linear_law];
-    force_loop  = (conforming ? kernels.force_conforming
-                              : kernels.force)[viscosity][body.damage.enabled];
+    const bool varying = body.damage.enabled || !particles.modulus.empty();
+    force_loop         = (conforming ? kernels.force_conforming
+                                     : kernels.force)[viscosity][varying];
   }
 
 
@@ -256,7 +285,8 @@ namespace Morsel::SPH
         }
       const unsigned int n = particles.n_groups();
       kernels.strain_conforming[linear_law][0](arrays, constants, 0, n);
-      kernels.force_conforming[false][false](arrays, constants, 0., 0, n);
+      kernels.force_conforming[false][!particles.modulus.empty()](
+          arrays, constants, 0., 0, n);
       for (unsigned int i = 0; i < particles.n_owned; ++i)
         a[i] = {particles.acceleration[i].x / scale,
                 particles.acceleration[i].y / scale};

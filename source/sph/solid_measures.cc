@@ -23,7 +23,7 @@ namespace Morsel::SPH
       {
         if (fracture && particles.failed[i])
           continue;
-        e.strain += particles.volume(i) *
+        e.strain += particles.modulus_factor(i) * particles.volume(i) *
                     Materials::stored_energy(
                         softening,
                         material,
@@ -62,9 +62,13 @@ namespace Morsel::SPH
   {
     if (fracture && particles.failed[i])
       return granular->stress(i);
-    return Materials::soften(softening,
-                             response_at(particles, material, linear_law, i),
-                             fracture ? particles.damage[i] : 0.);
+    // Softening is homogeneous of degree one.
+    const double                       f = particles.modulus_factor(i);
+    const Materials::PlaneStrainStress s =
+        Materials::soften(softening,
+                          response_at(particles, material, linear_law, i),
+                          fracture ? particles.damage[i] : 0.);
+    return {f * s.xx, f * s.yy, f * s.xy, f * s.zz};
   }
 
 

@@ -175,6 +175,14 @@ def write_summary(folder, **more):
         "largest_fragment_share": entry(0.142, "1", "mass share of the "
                                         "largest fragment"),
         "failed_share": entry(0.27, "1", "mass share that has failed"),
+        "strain_at_peak": entry(0.068, "1", "nominal strain at the peak"),
+        "nominal_stiffness": entry(1.52e6, "Pa", "slope of the rise"),
+        "strain_from_peak_to_half": entry(0.008, "1", "of the fall"),
+        "residual_strength": entry(9e3, "Pa", "of the last part"),
+        "fracture_angle": entry(24.0, "degrees", "against the loading"),
+        "fracture_sharpness": entry(0.31, "1", "of the direction"),
+        "fragment_median_size": entry(2.4e-3, "m", "half of the mass is "
+                                      "finer"),
         "complete_failure": entry(1, "1", "1 if the criterion was met"),
         "energy_balance_error": entry(0.024, "1", "closing error at the end"),
         "energy_balance_error_at_peak": entry(0.0021, "1", "closing error at "
@@ -217,7 +225,8 @@ def write_run(folder, across=101):
     write_summary(folder)
     sizes = np.bincount(labels[labels >= 0]) / len(labels)
     with open(folder / "fragments.csv", "w", encoding="utf-8") as stream:
-        stream.write("fragment,mass share,area [mm2],perimeter [mm]\n")
+        stream.write("fragment [1],mass_share [1],area [mm^2],"
+                     "perimeter [mm]\n")
         for k, share in enumerate(sizes):
             stream.write(f"{k},{share},{100 * share},"
                          f"{4.6 * np.sqrt(100 * share)}\n")

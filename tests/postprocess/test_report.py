@@ -45,11 +45,12 @@ class ReportTest(unittest.TestCase):
         page = self.report()
         self.assertEqual(self.figures(), {
             "moments", "fragments", "force", "stress_strain", "energy",
-            "fragment_sizes", "failed_share"})
-        self.assertEqual(page.count("data:image/png;base64,"), 7)
+            "fragment_sizes", "fragment_distribution", "failed_share"})
+        self.assertEqual(page.count("data:image/png;base64,"), 8)
         for text in ("Roasted peanut, one chewing stroke", "broke completely",
                      "101.5\u202fkPa", "not quasi-static", "9f2c41d7",
-                     "1.31", "artificial viscosity"):
+                     "1.31", "artificial viscosity",
+                     "ran at 24\u00b0 to the direction of loading"):
             self.assertIn(text, page)
         # Nothing is fetched, and nothing is a script.
         self.assertFalse(re.search(r'(src|href)="(?!data:)', page))

@@ -63,28 +63,6 @@ namespace
       }
     return x;
   }
-
-
-  /// A block between two plates that close on it along y.
-  Scene::Scene
-  scene_of_stroke(const unsigned int n, const double speed, const double ramp)
-  {
-    constexpr double h     = 0.01;
-    Scene::Scene     scene = SPH::scene_of_block(n, n, h / n, 0.3);
-    for (const bool upper : {false, true})
-      {
-        Scene::RigidBody body;
-        body.name               = upper ? "upper" : "lower";
-        body.shape.lower_corner = {-h, upper ? h : -0.1 * h};
-        body.shape.upper_corner = {2. * h, upper ? 1.1 * h : 0.};
-        body.motion.velocity    = {0., upper ? -speed : 0.};
-        body.motion.ramp_time   = ramp;
-        scene.rigid_bodies.push_back(body);
-        scene.contact_pairs.push_back({"block", body.name});
-      }
-    scene.contact.friction = 0.;
-    return scene;
-  }
 } // namespace
 
 
@@ -290,7 +268,7 @@ BOOST_AUTO_TEST_CASE(static_block_tends_to_the_closed_form)
   for (const unsigned int n : {10u, 20u, 40u})
     {
       constexpr double H = 0.01, c = 172., ramp = 20. * H / c;
-      Scene::Scene     scene = scene_of_stroke(n, 0.01, ramp);
+      Scene::Scene     scene = SPH::scene_of_stroke(n, 0.01, ramp);
       auto            &body  = scene.particle_bodies[0];
       body.material.law      = "linear";
       RunLog log("", true, false);
@@ -369,7 +347,7 @@ BOOST_AUTO_TEST_CASE(crushed_food_stays_between_the_plates)
 {
   // Strength next to nothing: all of it fails, and is pressed to 70 %.
   constexpr double H                 = 0.01;
-  Scene::Scene     scene             = scene_of_stroke(20, 1., 1e-4);
+  Scene::Scene     scene             = SPH::scene_of_stroke(20, 1., 1e-4);
   auto            &body              = scene.particle_bodies[0];
   body.damage.enabled                = true;
   body.damage.flaws                  = "uniform";

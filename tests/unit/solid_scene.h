@@ -35,6 +35,28 @@ namespace Morsel::SPH
   }
 
 
+  /// A block between two plates that close on it along y.
+  inline Scene::Scene
+  scene_of_stroke(const unsigned int n, const double speed, const double ramp)
+  {
+    constexpr double h     = 0.01;
+    Scene::Scene     scene = scene_of_block(n, n, h / n, 0.3);
+    for (const bool upper : {false, true})
+      {
+        Scene::RigidBody body;
+        body.name               = upper ? "upper" : "lower";
+        body.shape.lower_corner = {-h, upper ? h : -0.1 * h};
+        body.shape.upper_corner = {2. * h, upper ? 1.1 * h : 0.};
+        body.motion.velocity    = {0., upper ? -speed : 0.};
+        body.motion.ramp_time   = ramp;
+        scene.rigid_bodies.push_back(body);
+        scene.contact_pairs.push_back({"block", body.name});
+      }
+    scene.contact.friction = 0.;
+    return scene;
+  }
+
+
   /// A scene with one block of linear elastic particles about the origin
   /// without viscosity, for bodies of any formulation.
   inline Scene::Scene

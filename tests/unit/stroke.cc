@@ -67,8 +67,17 @@ BOOST_AUTO_TEST_CASE(a_brittle_curve)
   BOOST_CHECK_CLOSE(stroke.peak_force(1), 9.18, 1e-6);
   BOOST_CHECK_CLOSE(stroke.peak_tangential_force(1), 2.04, 1e-6);
   BOOST_CHECK_CLOSE(*stroke.kinetic_over_strain_energy(), 0.02, 1e-6);
-  BOOST_CHECK_CLOSE(stroke.nominal_stress(), 1.5e4, 1e-6);
-  BOOST_CHECK_CLOSE(stroke.nominal_strain(), 0.0335, 1e-6);
+  // Below half at 0.022. No step begins in the second half of what follows.
+  BOOST_CHECK_CLOSE(*stroke.time_of_half_force(), 0.022, 1e-6);
+  BOOST_CHECK_CLOSE(*stroke.strain_from_peak_to_half(), 0.0016, 1e-4);
+  BOOST_CHECK_CLOSE(*stroke.brittleness(), 0.0204 / 0.022, 1e-4);
+  BOOST_CHECK(!stroke.residual_strength());
+  stroke.add(sample(0.034, 2.5));
+  stroke.add(sample(0.036, 0.5));
+  // From 0.029 on: 15 kPa to 25 kPa over 0.0005, to 5 kPa over 0.002.
+  BOOST_CHECK_CLOSE(*stroke.residual_strength(), 1.6e4, 1e-4);
+  BOOST_CHECK_CLOSE(stroke.nominal_stress(), 5e3, 1e-6);
+  BOOST_CHECK_CLOSE(stroke.nominal_strain(), 0.036, 1e-6);
 }
 
 
@@ -80,6 +89,7 @@ BOOST_AUTO_TEST_CASE(a_higher_peak_withdraws_a_failure)
   BOOST_CHECK(stroke.time_of_failure());
   stroke.add(sample(0.02, 9.));
   BOOST_CHECK(!stroke.time_of_failure());
+  BOOST_CHECK(!stroke.time_of_half_force());
   BOOST_CHECK(!stroke.failed_completely());
 }
 

@@ -19,6 +19,7 @@ namespace Morsel::Materials
   enum class Growth
   {
     linear_softening,
+    energy_softening,
     grady_kipp
   };
 
@@ -64,7 +65,7 @@ namespace Morsel::Materials
 
     /// A crack dissipates over this many spacings (measured, see
     /// doc/theory.md, section 3).
-    static constexpr double band_width = 1.;
+    static constexpr double band_width = 2.6;
     /// Softening as steep as it may be: D = 1 at this multiple of r.
     static constexpr double least_range = 1.01;
 
@@ -169,6 +170,31 @@ namespace Morsel::Materials
   }
 
 
+  /// How far a particle has softened.
+  struct Softened
+  {
+    double damage; ///< D [1]
+    double used;   ///< kappa, share of what it can dissipate [1]
+  };
+
+
+  /// Growth of damage that keeps the driver of the *softened* stress within
+  /// r (1 - kappa), where kappa is the energy dissipated so far over
+  /// g = R r^2 (f^2/(2 E')), f being the strength in the direction of this
+  /// stress: in tension and in compression the stress falls linearly from
+  /// r f to zero at the strain R r f/E'. Returns @p state where it holds.
+  /// @param stress undamaged Cauchy stress that drives
+  /// @param energy [J/m^3] stored undamaged that D takes away
+  Softened
+  energy_softening(const DamageLaw         &law,
+                   const Elasticity        &elasticity,
+                   const PlaneStrainStress &stress,
+                   bool                     cut_off,
+                   double                   r,
+                   double                   energy,
+                   const Softened          &state);
+
+
   /// Grady-Kipp growth (T3-53, T3-54) of D over @p dt while s exceeds r.
   inline double
   grady_kipp_damage(const DamageLaw &law,
@@ -206,6 +232,11 @@ namespace Morsel::Materials
   /// tensile principal stresses.
   PlaneStrainStress
   soften(Softening softening, const ElasticResponse &response, double D);
+
+
+  /// The same of a given undamaged Cauchy stress.
+  PlaneStrainStress
+  soften(Softening softening, const PlaneStrainStress &stress, double D);
 
 
   /// Stored energy per reference volume after softening [J/m^3]. For

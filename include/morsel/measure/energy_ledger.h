@@ -71,6 +71,10 @@ namespace Morsel::Measure
     const Energies &
     last() const;
 
+    /// The sample of the largest force.
+    const Energies &
+    at_peak() const;
+
   private:
     double   initial;
     double   largest    = 0.;
@@ -78,7 +82,7 @@ namespace Morsel::Measure
     double   error_peak = 0.;
     double   error_last = 0.;
     double   worst_gap  = 0.;
-    Energies last_sample;
+    Energies last_sample, peak_sample;
   };
 
 

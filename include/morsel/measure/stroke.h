@@ -111,6 +111,26 @@ namespace Morsel::Measure
     std::optional<double>
     time_of_failure() const;
 
+    /// When the force fell below half of its peak [s]; nothing if it has not
+    /// (since the last peak).
+    std::optional<double>
+    time_of_half_force() const;
+
+    /// Nominal strain from the peak to there [1].
+    std::optional<double>
+    strain_from_peak_to_half() const;
+
+    /// Strain at the peak over that at half of the force behind it [1]: 1 if
+    /// the force falls at once, 0.5 if falling takes as long as rising.
+    std::optional<double>
+    brittleness() const;
+
+    /// Mean of the nominal stress over the strain of the last part of the
+    /// stroke [Pa]: the second half of what follows the fall to half of the
+    /// peak.
+    std::optional<double>
+    residual_strength() const;
+
   private:
     /// What the analysis after the fact needs of a sample.
     struct Point
@@ -127,6 +147,9 @@ namespace Morsel::Measure
     std::vector<double> largest_tangential;
     double              force = 0., peak = 0., peak_time = 0.;
     std::size_t         peak_index = 0;
+
+    std::optional<double> half_time;
+    std::size_t           half_index = 0;
 
     std::optional<double> failure_time;
     double                failure_closure = 0.;

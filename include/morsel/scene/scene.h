@@ -4,6 +4,7 @@
 #include <morsel/contact/parameters.h>
 #include <morsel/fracture/parameters.h>
 #include <morsel/jaw/motion.h>
+#include <morsel/materials/grains.h>
 #include <morsel/materials/parameters.h>
 #include <morsel/scene/body_shape.h>
 #include <morsel/scene/conditions.h>
@@ -38,6 +39,7 @@ namespace Morsel::Scene
     /// Known displacement in equilibrium [m]; empty as above.
     std::string                   expected_displacement_field;
     Materials::MaterialParameters material; ///< completed from the catalogue
+    Materials::GrainParameters    grains;
     Materials::DamageParameters   damage;
     Fracture::BodyCracks          cracks;
     SPH::SolidParameters          solid;

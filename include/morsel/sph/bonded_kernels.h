@@ -198,16 +198,18 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
 
 
     /// What the force loop gathers, see PairStress.
+    /// @param modulus elastic moduli over the body's [1]
     template <Softened softened, Gradient kind>
     MORSEL_INLINE void
     store_pair_stress(const BondedArrays    &a,
                       const BondedConstants &c,
                       const Row             &row,
                       const Corrections     &correction,
+                      const V                modulus,
                       const Matrix          &P,
                       const Matrix          &fit)
     {
-      V hg = all(0.5 * c.uniform_hourglass);
+      V hg = 0.5 * c.uniform_hourglass * modulus;
       if constexpr (softened != intact)
         hg = 0.5 * gather([&](unsigned int l) {
                return &a.hourglass[row.particle(l)];
@@ -255,16 +257,21 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
       const V H_xx = H.xx, H_xy = H.xy, H_yx = H.yx, H_yy = H.yy;
       const V F_xx = 1. + H_xx, F_yy = 1. + H_yy;
 
-      Stress deviator;
-      V      mean;
+      const V modulus = a.modulus ? gather([&](unsigned int l) {
+        return &a.modulus[row.particle(l)];
+      })
+                                  : all(1.);
+      const V mu = c.mu * modulus, bulk = c.bulk * modulus;
+      Stress  deviator;
+      V       mean;
       if constexpr (linear_law)
         {
           const V tr = H_xx + H_yy, third = tr / 3.;
-          deviator = {2. * c.mu * (H_xx - third),
-                      2. * c.mu * (H_yy - third),
-                      c.mu * (H_xy + H_yx),
-                      -2. * c.mu * third};
-          mean     = c.bulk * tr;
+          deviator = {2. * mu * (H_xx - third),
+                      2. * mu * (H_yy - third),
+                      mu * (H_xy + H_yx),
+                      -2. * mu * third};
+          mean     = bulk * tr;
         }
       else
         {
@@ -274,12 +281,12 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           const V b_yy      = H_yx * H_yx + F_yy * F_yy;
           const V b_xy      = F_xx * H_yx + H_xy * F_yy;
           const V third     = (b_xx + b_yy + 1.) * (1. / 3.);
-          const V factor    = c.mu * power_minus_two_thirds(J) * inverse_J;
+          const V factor    = mu * power_minus_two_thirds(J) * inverse_J;
           deviator          = {factor * (b_xx - third),
                                factor * (b_yy - third),
                                factor * b_xy,
                                factor * (1. - third)};
-          mean              = 0.5 * c.bulk * (J - inverse_J);
+          mean              = 0.5 * bulk * (J - inverse_J);
           if constexpr (softened != intact)
             if (any(!(J > c.crushed_jacobian)))
               a.crushed[g] = 1;
@@ -327,7 +334,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
 
       scatter_records(row.to(a.gradient), row.n, H_xx, H_xy, H_yx, H_yy);
       store_pair_stress<softened, kind>(
-          a, c, row, correction, {P_xx, P_xy, P_yx, P_yy}, fit);
+          a, c, row, correction, modulus, {P_xx, P_xy, P_yx, P_yy}, fit);
     }
 
 

@@ -104,6 +104,14 @@ namespace Morsel::SPH
     void
     grow(const BondedArrays &arrays, unsigned int group);
 
+    /// Least strength that a live particle of a group is left with [1].
+    double
+    weakest_in(unsigned int group) const;
+
+    /// Energy softening of particle @p i under this undamaged stress.
+    void
+    soften(unsigned int i, const Materials::PlaneStrainStress &stress);
+
     void
     break_up();
 

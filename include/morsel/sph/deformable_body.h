@@ -104,6 +104,18 @@ namespace Morsel::SPH
 
     virtual const Materials::Elasticity &
     get_material() const = 0;
+
+    /// Of the owned particles [Pa]; empty where all have the material's.
+    std::vector<double>
+    youngs_moduli() const
+    {
+      const Particles    &p = get_particles();
+      std::vector<double> result;
+      if (!p.modulus.empty())
+        for (unsigned int i = 0; i < p.n_owned; ++i)
+          result.push_back(p.modulus[i] * get_material().youngs_modulus);
+      return result;
+    }
   };
 
 

@@ -94,7 +94,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     average_driver(const BondedArrays    &a,
                    const BondedConstants &c,
                    const unsigned int     g,
-                   double                *drivers)
+                   AveragedStress        &average)
     {
       for (unsigned int offset = 0; offset < group_size; offset += lanes)
         {
@@ -122,7 +122,11 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
             cut_off[l] = a.near_face[row.particle(l)] ? 0. : 1.;
           const V inverse = 1. / total;
           s = {inverse * s.xx, inverse * s.yy, inverse * s.xy, inverse * s.zz};
-          store(drivers + offset, driver<kind>(c, s, cut_off));
+          store(average.xx + offset, s.xx);
+          store(average.yy + offset, s.yy);
+          store(average.xy + offset, s.xy);
+          store(average.zz + offset, s.zz);
+          store(average.driver + offset, driver<kind>(c, s, cut_off));
         }
     }
   } // namespace

@@ -52,6 +52,8 @@ namespace Morsel::SPH
     const Vector2            *own_sum;         ///< sum_j G_ij
     const Materials::Tensor2 *deficit;
     PairStress               *fit_stress;
+
+    const double *modulus; ///< over the body's [1]; null where it is uniform
   };
 
 
@@ -127,6 +129,21 @@ namespace Morsel::SPH
   };
 
 
+  /// Stress averaged over the neighbours of each particle of a group [Pa],
+  /// and its driver [1].
+  struct AveragedStress
+  {
+    double driver[group_size], xx[group_size], yy[group_size], xy[group_size],
+        zz[group_size];
+
+    Materials::PlaneStrainStress
+    stress(const unsigned int l) const
+    {
+      return {xx[l], yy[l], xy[l], zz[l]};
+    }
+  };
+
+
   /// The kernels of one instruction set. Ranges count groups.
   struct PairKernels
   {
@@ -142,7 +159,7 @@ namespace Morsel::SPH
     using Average   = void (*)(const BondedArrays    &arrays,
                              const BondedConstants &constants,
                              unsigned int           group,
-                             double                *drivers);
+                             AveragedStress        &average);
     using GrainPush = void (*)(const GrainArrays    &arrays,
                                const GrainConstants &constants,
                                GrainForce           *sums);

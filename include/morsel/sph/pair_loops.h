@@ -20,8 +20,8 @@ namespace Morsel::SPH
   renew_conforming(Particles &particles, const Bonds &bonds, unsigned int i);
 
   /// H_i at the present displacements [1], as the kernels form it.
-  /// @param ahead time by which the displacements go on at the present
-  ///   velocities [s]
+  /// @param ahead the coming leapfrog step [s], with the accelerations that
+  ///   stand: at the displacements after it; 0: now
   Materials::Tensor2
   displacement_gradient(const Particles &particles,
                         const Bonds     &bonds,

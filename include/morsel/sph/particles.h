@@ -51,6 +51,10 @@ namespace Morsel::SPH
     std::vector<PairStress> fit_stress;
     std::vector<double>     hourglass; ///< alpha E (1 - D) [Pa]
 
+    /// Elastic moduli over the body's [1]; allocated only where they scatter
+    /// from grain to grain (Materials::GrainField).
+    std::vector<double> modulus;
+
     /// Energy turned into heat by artificial viscosity so far [J], owned;
     /// allocated only with viscosity.
     std::vector<double> viscous_heat;
@@ -58,6 +62,7 @@ namespace Morsel::SPH
     // Allocated only for a solid that can fail.
     std::vector<double> damage;    ///< D [1]
     std::vector<char>   failed;    ///< D = 1: no bond left
+    std::vector<double> used;      ///< share of what it can dissipate [1]
     std::vector<double> threshold; ///< r_i: damage starts beyond it [1]
     std::vector<Materials::PlaneStrainStress> effective; ///< undamaged [Pa]
     std::vector<double> driver;      ///< s of the particle's own stress [1]
@@ -79,6 +84,13 @@ namespace Morsel::SPH
     volume(const unsigned int i) const
     {
       return area[i] * depth;
+    }
+
+    /// Elastic moduli of a particle over the body's [1].
+    double
+    modulus_factor(const unsigned int i) const
+    {
+      return modulus.empty() ? 1. : modulus[i];
     }
 
     double

@@ -161,6 +161,15 @@ namespace Morsel::SPH
     void
     fill(const Scene::ParticleBody &body, unsigned int seed);
 
+    /// Moduli of the body's grains, if they differ.
+    void
+    scatter_modulus(const Scene::ParticleBody &body, unsigned int seed);
+
+    /// Over all ranks: by no more does the square of a frequency grow, since
+    /// the energy of each particle does not.
+    double
+    largest_modulus_factor() const;
+
     void
     allocate(const Scene::ParticleBody &body);
 
