@@ -14,6 +14,20 @@ namespace Morsel
     /// A force below this share of the tensile strength times the body's
     /// smallest section is noise, not a peak.
     constexpr double smallest_peak = 0.02;
+
+
+    /// Velocity or load that a condition, the same everywhere, prescribes.
+    dealii::Tensor<1, 2>
+    drive(const Scene::Condition &condition,
+          const VectorExpression &value,
+          const double            time)
+    {
+      dealii::Tensor<1, 2> v = value(dealii::Point<2>(), time);
+      for (unsigned int d = 0; d < 2; ++d)
+        if (condition.kind == "velocity" && !condition.prescribes(d))
+          v[d] = 0.;
+      return v;
+    }
   } // namespace
 
 
@@ -62,10 +76,10 @@ namespace Morsel
       if (scene.conditions[k].kind == "velocity")
         {
           const VectorExpression value(scene.conditions[k].value);
-          const dealii::Point<2> nowhere;
           // A foot that is held by a velocity of zero does not load.
           for (const double share : {0., 0.5, 1.})
-            if (value(nowhere, share * scene.time.end_time).norm() > 0.)
+            if (drive(scene.conditions[k], value, share * scene.time.end_time)
+                    .norm() > 0.)
               {
                 add(k, true);
                 break;
@@ -124,7 +138,8 @@ namespace Morsel
     const double dt = s.time > 0. ? experiment.time_step() : 0.;
     for (Loading &load : loads)
       {
-        const auto v = load.value(dealii::Point<2>(), s.time - 0.5 * dt);
+        const auto v = drive(
+            scene.conditions[load.condition], load.value, s.time - 0.5 * dt);
         if (v.norm() > 0.)
           load.direction = v / v.norm();
         if (load.moves)
