@@ -14,7 +14,8 @@ namespace Morsel
   {
     std::vector<std::string>
     history_columns(const Scene::Scene             &scene,
-                    const std::vector<std::string> &tips)
+                    const std::vector<std::string> &tips,
+                    const std::vector<std::string> &breaking)
     {
       std::vector<std::string> c = {"time [s]", "step [1]"};
       for (const auto &observer : scene.observers)
@@ -38,6 +39,7 @@ namespace Morsel
         for (const char *mode : {"I", "II"})
           c.push_back(std::string("stress_intensity_") + mode + tip +
                       " [Pa sqrt(m)]");
+      c.insert(c.end(), breaking.begin(), breaking.end());
       c.insert(c.end(),
                {"strain_energy [J]",
                 "hourglass_energy [J]",
@@ -62,6 +64,7 @@ namespace Morsel
       , options(options)
       , experiment(experiment)
       , log(log)
+      , breaking(scene, experiment)
       , energy(experiment.energies())
       , momentum(experiment.momentum())
       , loop_wall_begin(log.wall_time())
@@ -79,9 +82,9 @@ namespace Morsel
     std::vector<std::string> tips;
     for (const Gauged &g : gauged)
       tips.insert(tips.end(), g.suffixes.begin(), g.suffixes.end());
-    history = std::make_unique<Output::History>(options.output_directory +
-                                                    "/history.csv",
-                                                history_columns(scene, tips));
+    history = std::make_unique<Output::History>(
+        options.output_directory + "/history.csv",
+        history_columns(scene, tips, breaking.columns()));
     if (scene.output.fields)
       for (const auto &body : scene.particle_bodies)
         frames.push_back(std::make_unique<Output::Frames<0>>(
@@ -123,6 +126,8 @@ namespace Morsel
           o.passages.add(experiment.time(),
                          scene.observers[k].frequency == "x" ? u.x : u.y);
         }
+    if (breaking.active())
+      breaking.follow();
     const double tolerance = 1e-9 * scene.time.end_time;
     if (experiment.time() >= next_sample - tolerance)
       {
@@ -142,7 +147,7 @@ namespace Morsel
   ExperimentRecorder::finished() const
   {
     return experiment.time() >= scene.time.end_time * (1. - 1e-9) ||
-           least_spacing < scene.stop.minimum_spacing;
+           least_spacing < scene.stop.minimum_spacing || breaking.broken();
   }
 
 
@@ -156,6 +161,7 @@ namespace Morsel
     const double            energy_error = energy.record(e, 0.);
     const double            momentum_error =
         momentum.record(experiment.momentum(), experiment.impulses());
+    breaking.note(e);
     double spacing = 2.;
     for (const auto &body : experiment.bodies())
       spacing =
@@ -188,11 +194,15 @@ namespace Morsel
       }
     for (Gauged &g : gauged)
       {
-        g.tips = g.gauge->evaluate();
+        // Once it grows, the crack is no longer the one that is gauged.
+        if (g.tips.empty() || !breaking.has_failed(g.body))
+          g.tips = g.gauge->evaluate();
         for (const Fracture::TipResult &tip : g.tips)
           row.insert(row.end(),
                      {tip.statistics.mean.mode_I, tip.statistics.mean.mode_II});
       }
+    const std::vector<double> broken = breaking.row();
+    row.insert(row.end(), broken.begin(), broken.end());
     row.insert(row.end(),
                {e.strain,
                 e.hourglass,
@@ -220,7 +230,8 @@ namespace Morsel
         const auto                   &p    = body.get_particles();
         const unsigned int            n    = p.n_owned;
         std::vector<dealii::Point<2>> points(n);
-        std::vector<double> u, v, density(n), mises(n), xx(n), yy(n), xy(n);
+        std::vector<double> u, v, density(n), mises(n), xx(n), yy(n), xy(n),
+            failed, fragment;
         for (unsigned int i = 0; i < n; ++i)
           {
             const Motion &m = p.motion[i];
@@ -241,6 +252,18 @@ namespace Morsel
                                      {"stress_xx", Field::Kind::scalar, xx},
                                      {"stress_yy", Field::Kind::scalar, yy},
                                      {"stress_xy", Field::Kind::scalar, xy}};
+        if (!p.damage.empty())
+          {
+            failed.assign(p.failed.begin(), p.failed.begin() + n);
+            fields.push_back(
+                {"damage",
+                 Field::Kind::scalar,
+                 dealii::ArrayView<const double>(p.damage.data(), n)});
+            fields.push_back({"failed", Field::Kind::scalar, failed});
+            const auto labels = breaking.labels(b);
+            fragment.assign(labels.begin(), labels.end());
+            fields.push_back({"fragment", Field::Kind::scalar, fragment});
+          }
         const std::vector<double> modulus = body.youngs_moduli();
         if (!modulus.empty())
           fields.push_back({"youngs_modulus", Field::Kind::scalar, modulus});
@@ -260,6 +283,7 @@ namespace Morsel
     summarise_observers();
     summarise_cracks();
     summarise_bodies();
+    breaking.summarise(summary);
     summarise_ledgers();
     summarise_run();
     summary.write(options.output_directory + "/summary.json");

@@ -1,6 +1,7 @@
 #ifndef morsel_source_experiment_recorder_h
 #define morsel_source_experiment_recorder_h
 
+#include "breaking_recorder.h"
 #include "experiment.h"
 
 #include <morsel/core/run_options.h>
@@ -95,6 +96,7 @@ namespace Morsel
 
     std::vector<Observed> observed;
     std::vector<Gauged>   gauged;
+    BreakingRecorder      breaking;
     /// Roughness of velocity by sample and body [m/s], and the samples' times.
     std::vector<std::vector<double>> roughness;
     std::vector<double>              sample_times;

@@ -224,7 +224,8 @@ namespace Morsel
     summary.add_text("ended_by",
                      least_spacing < scene.stop.minimum_spacing
                          ? "minimum spacing"
-                         : "end time");
+                     : breaking.broken() ? "complete failure"
+                                         : "end time");
   }
 
 

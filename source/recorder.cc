@@ -1,4 +1,5 @@
 #include "recorder.h"
+#include "breaking_recorder.h"
 
 #include <morsel/core/errors.h>
 
@@ -189,6 +190,9 @@ namespace Morsel
       }
     find_fragments();
     intact = fragments;
+    if (bite.food().can_fail())
+      breakage = std::make_unique<Measure::Breakage>(
+          bite.food(), tip_places(scene.particle_bodies.front()));
   }
 
 
@@ -206,6 +210,8 @@ namespace Morsel
         s.tangential_force.push_back(bite.tangential_force(p));
       }
     stroke.add(s);
+    if (breakage)
+      breakage->follow(bite.time());
     if (const auto time = stroke.time_of_half_force();
         time && *time == bite.time())
       pattern_at_half = find_pattern();
@@ -318,29 +324,8 @@ namespace Morsel
   void
   Recorder::find_fragments()
   {
-    const auto               &p     = bite.food().get_particles();
-    const auto               &bonds = bite.food().get_bonds();
-    std::vector<char>         alive(p.n_owned, 1);
-    const std::vector<double> areas(p.area.begin(), p.area.begin() + p.n_owned);
-    Measure::BondList         friends;
-    friends.first.push_back(0);
-    for (unsigned int i = 0; i < p.n_owned; ++i)
-      {
-        alive[i] = p.failed.empty() || !p.failed[i];
-        for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
-             ++k)
-          if (bonds.list.index[k] < p.n_owned && bonds.live[k])
-            friends.neighbour.push_back(bonds.list.index[k]);
-        friends.first.push_back(friends.neighbour.size());
-      }
     fragments =
-        Measure::find_fragments(alive,
-                                friends,
-                                dealii::ArrayView<const dealii::Point<2>>(
-                                    p.reference.data(), p.n_owned),
-                                areas,
-                                p.spacing,
-                                scene.measures.fragment_share);
+        Measure::fragments_of(bite.food(), scene.measures.fragment_share);
   }
 
 

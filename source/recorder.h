@@ -4,6 +4,7 @@
 #include "bite.h"
 
 #include <morsel/core/run_options.h>
+#include <morsel/measure/breakage.h>
 #include <morsel/measure/energy_ledger.h>
 #include <morsel/measure/fracture_pattern.h>
 #include <morsel/measure/fragments.h>
@@ -122,11 +123,12 @@ namespace Morsel
     const MPI_Comm      communicator;
     const bool          first_rank;
 
-    Measure::Stroke         stroke;
-    Measure::EnergyLedger   energy;
-    Measure::MomentumLedger momentum;
-    Measure::Fragments      fragments;
-    Measure::Fragments      intact;
+    Measure::Stroke                    stroke;
+    Measure::EnergyLedger              energy;
+    Measure::MomentumLedger            momentum;
+    std::unique_ptr<Measure::Breakage> breakage;
+    Measure::Fragments                 fragments;
+    Measure::Fragments                 intact;
 
     /// When the force had fallen to half of its peak.
     std::optional<Measure::FracturePattern> pattern_at_half;

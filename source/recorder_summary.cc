@@ -1,8 +1,11 @@
+#include "breaking_recorder.h"
 #include "recorder.h"
 #include "run_summary.h"
+#include "tip_summary.h"
 
 #include <morsel/materials/catalogue.h>
 #include <morsel/measure/masticatory_performance.h>
+#include <morsel/sph/body_cracks.h>
 
 #include <deal.II/base/config.h>
 #include <deal.II/base/utilities.h>
@@ -253,6 +256,12 @@ namespace Morsel
                 performance.all_fragments,
                 "1/sqrt(mm)",
                 "T4-4, S2 of all fragments together (Agrawal et al. 1997)");
+    const auto &body = scene.particle_bodies.front();
+    add_first_failure(summary, *breakage, "");
+    add_crack_growth(summary,
+                     bite.food(),
+                     *breakage,
+                     tip_suffixes(SPH::cracks_of(body), body, false));
   }
 
 

@@ -25,9 +25,10 @@ def moments(run):
     view = food.extent_of([frame for _, frame in chosen])
     aspect = (view[1][1] - view[0][1]) / (view[1][0] - view[0][0])
     rows = [(field, label, cmap) for field, label, cmap in (
+        ("damage", "Damage", style.DAMAGE),
         ("von_mises", "Von Mises stress", style.STRESS),
         ("stress_yy", "Stress along y", "RdBu"))
-        if frames[-1].read(field) is not None]
+        if frames[-1].read(field) is not None][:2]
     if not rows:
         return None
     width = 9.6 / (len(chosen) + 0.35)
@@ -86,6 +87,67 @@ def stress_intensities(run):
     return figure
 
 
+def load(run):
+    """What breaks the body over the way it has come, or over time."""
+    force, t = run.column("load"), run.column("time")
+    way = run.column("load_displacement")
+    if force is None or len(t) < 2 or not np.ptp(force) > 0:
+        return None
+    x, unit, label = ((way, "m", "Displacement of the load")
+                      if way is not None and np.ptp(way) > 0
+                      else (t, "s", "Time"))
+    x_factor, x_unit = style.prefix_of(x.max(), unit)
+    factor, unit = style.prefix_of(np.max(np.abs(force)), "N")
+    figure, axes = plt.subplots(figsize=(6.2, 3.7), layout="constrained")
+    axes.plot(x_factor * x, factor * force, color=style.BLUE)
+    at = run.value("first_failure_time")
+    if at is not None:
+        axes.plot(x_factor * np.interp(at, t, x),
+                  factor * np.interp(at, t, force), "o", ms=5, zorder=5,
+                  color=style.RED, label="the first particle fails")
+        axes.legend(fontsize=8)
+    axes.set_xlim(0, x_factor * x.max())
+    axes.set_xlabel(f"{label} [{x_unit}]")
+    axes.set_ylabel(f"Load [{unit}]")
+    return figure
+
+
+def crack_growth(run):
+    """How far and how fast cracks have grown from their tips."""
+    t = run.column("time")
+    prefix = "crack_extension"
+    tips = [n[len(prefix):] for n in run.history if n.startswith(prefix)
+            and run.column(n).max() > 0]
+    if t is None or not tips:
+        return None
+    time_factor, time_unit = style.prefix_of(t.max(), "s")
+    factor, unit = style.prefix_of(
+        max(run.column(prefix + tip).max() for tip in tips), "m")
+    figure, (far, fast) = plt.subplots(
+        1, 2, figsize=(9.6, 3.4), layout="constrained")
+    for k, tip in enumerate(tips):
+        colour = style.FRAGMENTS[k % len(style.FRAGMENTS)]
+        far.plot(time_factor * t, factor * run.column(prefix + tip),
+                 color=colour, label=tip[1:].replace("_", " "))
+        fast.plot(time_factor * t, run.column("crack_tip_speed" + tip),
+                  color=colour)
+    limit = run.value("rayleigh_speed")
+    if limit is not None:
+        fast.axhline(0.6 * limit, color=style.QUIET, lw=0.9, ls=":")
+        fast.annotate("0.6 of the Rayleigh speed", (0.02, 0.6 * limit),
+                      xycoords=("axes fraction", "data"), fontsize=8,
+                      xytext=(0, 3), textcoords="offset points")
+    for axes in (far, fast):
+        axes.set_xlim(0, time_factor * t.max())
+        axes.set_ylim(bottom=0)
+        axes.set_xlabel(f"Time [{time_unit}]")
+    far.set_ylabel(f"Growth of the crack [{unit}]")
+    fast.set_ylabel("Speed of its tip [m/s]")
+    if len(tips) > 1:
+        far.legend(fontsize=8)
+    return figure
+
+
 def stress_errors(run):
     """{observed point: largest error of its stress}, where one is known."""
     errors = {}
@@ -122,8 +184,16 @@ def errors_by_point(run):
 
 FIGURES = [
     ("moments", moments,
-     "The body at the beginning, in between and at the end. Above, the von "
-     "Mises stress; below, the stress along y.", True),
+     "The body at the beginning, in between and at the end: the von Mises "
+     "stress, above it the damage or below it the stress along y.", True),
+    ("fragments", food.fragments,
+     "The pieces that are left, each in its own colour and numbered by size; "
+     "light grey is what has failed altogether.", True),
+    ("load", load, "What breaks the body: the mean force of the conditions "
+     "that move, or load, it.", False),
+    ("crack_growth", crack_growth,
+     "How far the cracks have grown, and how fast: means over ten particle "
+     "spacings.", True),
     ("displacements",
      lambda run: over_time(run, "displacement_", "m", "Displacement"),
      "Displacement of the observed points over time.", False),
@@ -145,13 +215,18 @@ FIGURES = [
 ]
 
 SECTIONS = [
-    ("The body", ["moments"]),
+    ("The body", ["moments", "fragments"]),
+    ("How it breaks", ["load", "crack_growth"]),
     ("Observed points, supports and loads",
      ["displacements", "stresses", "errors", "stress_intensities", "forces"]),
     ("The energy ledger", ["energy"]),
 ]
 
 CARDS = [
+    ("peak_load", "largest load"),
+    ("fragment_count", "pieces"),
+    ("crack_tip_speed_over_rayleigh",
+     "largest speed of the crack over the Rayleigh speed"),
     ("strain_energy", "strain energy at the end"),
     ("energy_balance_error", "closing error of the energy ledger"),
     ("momentum_error", "error of linear momentum"),

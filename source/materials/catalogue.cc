@@ -171,8 +171,12 @@ namespace Morsel::Materials
     CatalogueDamage        known;
     if (entry != nullptr && entry->damage)
       known = *entry->damage;
-    if (damage.growth == "Grady-Kipp")
-      known.fracture_energy.reset();
+    // Both were found with energy softening.
+    if (damage.growth != "energy softening")
+      {
+        known.fracture_energy.reset();
+        known.threshold_factor.reset();
+      }
     fill(damage.threshold_factor,
          open.threshold_factor,
          known.threshold_factor,

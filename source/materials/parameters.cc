@@ -154,9 +154,9 @@ namespace Morsel::Materials
     prm.add_parameter(
         "Threshold factor",
         threshold_factor,
-        "Factor c of the threshold rule r_i = c w_i / b(m, range) [1]: above 1 "
-        "makes good for the weakest-link loss of a block between plates; "
-        "--calibrate finds it." +
+        "Factor c of the threshold rule r_i = c w_i / b [1], by which the "
+        "strength goes; --calibrate finds it. b is the mean of w with energy "
+        "softening, else the peak of a bundle." +
             else_default("0", defaults.threshold_factor),
         Patterns::Double(0., 100.));
     prm.add_parameter(

@@ -167,6 +167,12 @@ namespace Morsel::Scene
       check_observer(observer, scene, findings);
     for (const ParticleBody &body : scene.particle_bodies)
       {
+        const std::string exclusion =
+            "Body " + body.name + "/Damage/Face exclusion";
+        if (scene.rigid_bodies.empty() && body.damage.enabled &&
+            findings.is_given(exclusion))
+          findings.advise(exclusion,
+                          "it acts under plates alone, and there are none.");
         const std::string section = "Body " + body.name + "/Particles/";
         if (!body.initial_velocity_field.empty())
           check_expression(body.initial_velocity_field,

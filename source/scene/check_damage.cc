@@ -113,6 +113,13 @@ namespace Morsel::Scene
                           " m between particles the field of thresholds is not "
                           "resolved: give the length at least two spacings, or "
                           "more particles.");
+    if (body.damage.growth == "energy softening" &&
+        body.damage.softening == "tensile principal")
+      findings.mistake(section + "Growth",
+                       "energy softening takes the deviator away, which "
+                       "'tensile principal' leaves in compression; take "
+                       "'Softening' = 'deviator' or 'Growth' = 'linear "
+                       "softening'.");
     if (body.damage.fracture_energy > 0.)
       check_fracture_energy(body, scene, findings);
   }

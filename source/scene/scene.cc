@@ -214,14 +214,16 @@ namespace Morsel::Scene
     prm.add_parameter(
         "Residual force",
         residual_force,
-        "Complete failure: after its peak the mean occlusal force has fallen "
-        "below this share of the peak [1]; 0 never ends the run.",
+        "Complete failure: after its peak the mean occlusal force (without "
+        "plates that of the conditions that move) has fallen below this share "
+        "of the peak [1]; 0 never ends the run.",
         Patterns::Double(0., 1.));
     prm.add_parameter(
         "Closure after failure",
         closure_after_failure,
-        "After complete failure the run goes on until the plates have closed "
-        "by this further share of the food's height [1].",
+        "After complete failure the run goes on until the plates (or these "
+        "conditions) have moved by this further share of the food's height "
+        "[1].",
         Patterns::Double(0., 1.));
     prm.add_parameter(
         "Minimum spacing",

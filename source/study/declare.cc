@@ -105,7 +105,7 @@ namespace Morsel::Study
                         axis.entries,
                         "What the value is put into, separated by semicolons: "
                         "'Section/Key', or 'Section/Key = text' with formulas "
-                        "of the axes in braces.");
+                        "of the axes in braces; ';;' is one in a text.");
       prm.add_parameter("Together with",
                         axis.partner,
                         "Axis of as many values that this one goes along with; "
@@ -140,7 +140,8 @@ namespace Morsel::Study
       prm.add_parameter("Entries",
                         series.entries,
                         "'Section/Key = text' separated by semicolons, with "
-                        "formulas of the axes in braces.");
+                        "formulas of the axes in braces; ';;' is one in a "
+                        "text.");
       prm.add_parameter("Quick entries",
                         series.quick_entries,
                         "What a quick study sets after Entries.");

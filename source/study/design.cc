@@ -151,8 +151,22 @@ namespace Morsel::Study
     std::vector<std::string>
     split_entries(const std::string &text)
     {
-      // Entries hold commas: only semicolons separate.
-      return text.empty() ? std::vector<std::string>() : list_items(text + ";");
+      // Entries hold commas: only semicolons separate. A doubled one stands for
+      // one in an entry's text.
+      std::vector<std::string> items;
+      std::string              item;
+      for (std::size_t i = 0; i <= text.size(); ++i)
+        if (i < text.size() && text[i] != ';')
+          item += text[i];
+        else if (i + 1 < text.size() && text[i + 1] == ';')
+          item += text[i++];
+        else
+          {
+            if (!trimmed(item).empty())
+              items.push_back(trimmed(item));
+            item.clear();
+          }
+      return items;
     }
 
 

@@ -197,6 +197,10 @@ BOOST_AUTO_TEST_CASE(threshold_rule)
   DamageParameters p = parameters_with("modified von Mises");
   p.threshold_factor = 1.1;
   BOOST_TEST(DamageLaw(p, material, strength, {1e-10, 1e-4}).threshold_scale ==
+                 1.1 / std::tgamma(1.125),
+             tolerance(1e-12));
+  p.growth = "linear softening";
+  BOOST_TEST(DamageLaw(p, material, strength, {1e-10, 1e-4}).threshold_scale ==
                  1.1 / bundle_peak(8., 10.),
              tolerance(1e-12));
   p.flaws = "uniform";

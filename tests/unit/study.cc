@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(product_and_partners)
       beginning +
       "subsection Axis n\n set Values = 5, 7\n set Entries = X/n; Y/n\nend\n"
       "subsection Axis r\n set Values = 0.1, 0.2\n set Together with = n\n set "
-      "Entries = X/radius = {2*r}\nend\n"
+      "Entries = X/radius = 0;; {2*r}\nend\n"
       "subsection Axis a\n set Values = 1, 2, 3\n set Entries = X/a\nend\n"
       "subsection Series one\n set Axes = n, a\n set Entries = X/p = 1, "
       "1\nend\n"
@@ -222,7 +222,7 @@ BOOST_AUTO_TEST_CASE(product_and_partners)
                                 first.begin(),
                                 first.end());
   const std::vector<std::string> last = {
-      "X/p=2", "X/n=7", "Y/n=7", "X/radius=0.4"};
+      "X/p=2", "X/n=7", "Y/n=7", "X/radius=0; 0.4"};
   BOOST_CHECK_EQUAL_COLLECTIONS(runs[7].overrides.begin(),
                                 runs[7].overrides.end(),
                                 last.begin(),

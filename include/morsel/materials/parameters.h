@@ -32,7 +32,7 @@ namespace Morsel::Materials
   {
     bool        enabled   = false;
     std::string driver    = "modified von Mises";
-    std::string growth    = "linear softening";
+    std::string growth    = "energy softening";
     std::string softening = "deviator";
     std::string flaws     = "Weibull";
 
@@ -44,11 +44,7 @@ namespace Morsel::Materials
     double fracture_energy = 0.; ///< G_c [J/m^2], 0: the range holds
     /// Of the field of thresholds with 'correlated' flaws [m].
     double correlation_length = 5e-4;
-    /// Factor c of the threshold rule r_i = c w_i / b [1]: 1.16 makes the
-    /// mean strength of a block of 101 x 101 particles between plates the
-    /// prescribed one (peanut, almond and carrot, three seeds; the seeds
-    /// scatter by 4 %).
-    double threshold_factor = 1.16;
+    double threshold_factor = 1.; ///< c of the threshold rule r_i = c w_i/b
     /// Tensile cut-off is off within this many spacings of loaded faces [1].
     double face_exclusion = 2.5;
     /// Driver from the stress averaged over undamaged neighbours.
