@@ -28,7 +28,7 @@ for argument in "$@"; do
     --output=*) output="${argument#*=}" ;;
     --set | --threads) value_of=other ;;
     --print-parameters) value_of=other reports="" ;;
-    --print-parameters=* | --validate | --help | -h | --version) reports="" ;;
+    --print-parameters=* | --validate | --calibrate | --help | -h | --version) reports="" ;;
     -*) ;;
     *) scene="$argument" ;;
   esac

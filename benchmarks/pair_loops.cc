@@ -42,6 +42,7 @@ namespace
       p.gradient.assign(n, {0., 0., 0., 0.});
       p.pair_stress.assign(n, {0., 0., 0., 0.});
       p.hourglass.assign(n, 0.1 * material.youngs_modulus);
+      p.viscous.assign(n, {0., 0.});
       p.viscous_heat.assign(n, 0.);
       p.damage.assign(n, 0.);
       p.failed.assign(n, 0);
@@ -133,7 +134,7 @@ namespace
         strain(arrays, lattice.constants, 0, n);
         if (damage)
           driver(arrays, lattice.constants, 0, n);
-        force(arrays, lattice.constants, 1e-7, 0, n);
+        force(arrays, lattice.constants, 0, n);
         benchmark::ClobberMemory();
       }
     count_particles(state, lattice.p);

@@ -1,3 +1,4 @@
+#include <morsel/calibrate/calibrate.h>
 #include <morsel/calibration.h>
 #include <morsel/core/command_line.h>
 #include <morsel/core/errors.h>
@@ -39,6 +40,11 @@ namespace
         (is_collection || Study::is_study(command_line.scene_file)))
       throw InputError("--plan: '" + command_line.scene_file +
                        "' is a study; give a scene.");
+    if (command_line.calibrate)
+      {
+        Calibrate::run_calibration(command_line);
+        return;
+      }
     if (is_collection)
       {
         Study::run_collection(command_line);

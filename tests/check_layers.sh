@@ -20,7 +20,8 @@ declare -A may_include=(
   [simulation]="core scene materials fracture fe sph contact jaw measure output"
   [study]="core scene simulation"
   [plan]="core scene fracture simulation study"
-  [main]="core scene simulation study plan"
+  [calibrate]="core materials scene simulation study"
+  [main]="core scene simulation study plan calibrate"
 )
 # Parameters of a room stand beside it and include nothing but core, so that
 # the scene, which holds them all, may name them.

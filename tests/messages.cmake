@@ -38,6 +38,16 @@ add_message_test(set_word_for_number 2 "'Time/End time' = 'long'.*a number" ${pe
                  --set "Time/End time=long")
 add_message_test(bad_print_format 2 "xml" --print-parameters xml)
 
+add_message_test(calibrate_no_damage 2
+                 "--calibrate: .* has nothing to calibrate, since .*Damage/Enabled' is false"
+                 --calibrate ${CMAKE_SOURCE_DIR}/prm/sph/tension_block.prm)
+add_message_test(calibrate_study 2 "--calibrate: .* is a study. give a scene"
+                 --calibrate ${CMAKE_SOURCE_DIR}/prm/studies/fracture/m2_angle.prm)
+add_message_test(calibrate_misspelt 2 "no section 'Calibraton'. Did you mean 'Calibration'"
+                 ${peanut} --set Calibraton/Seeds=2)
+add_message_test(calibrate_seeds 2 "'Calibration/Seeds' = '0'.*from 1" ${peanut} --set
+                 Calibration/Seeds=0)
+
 # Accuracies that are none, and one that nobody reaches.
 set(m1 ${CMAKE_SOURCE_DIR}/prm/fracture/m1_xfem.prm)
 foreach(accuracy good 0 -0.001 1 100% nan "0.1 percent")

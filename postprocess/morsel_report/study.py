@@ -8,6 +8,7 @@ from .study_figures import FIGURES
 from .study_relations import (relation_caption, relation_figure,
                               relation_tables, title_of)
 from .study_runs import grid_of, history_figure, run_pictures
+from .study_sensitivity import tornado, tornado_caption, tornado_table
 from .study_tables import (rate_table, run_table, statistics_table,
                            time_table)
 
@@ -61,6 +62,17 @@ def relation_part(study, relation):
                      png) + relation_tables(study, relation)
 
 
+def sensitivity_part(study, quantity):
+    """Tornado and table of a quantity."""
+    png = drawing(study, f"tornado_{quantity}",
+                  f"The tornado of {quantity}", tornado, study, quantity)
+    if not png:
+        return ""
+    return captioned(
+        "Sensitivity of " + in_page(study.label_of(quantity)),
+        tornado_caption(study, quantity), png) + tornado_table(study, quantity)
+
+
 def automatic_figures(study):
     """The figures that are called for by what varies."""
     wanted = [(quantity, study.label_of(quantity), *figure)
@@ -87,7 +99,7 @@ def figures_of(study):
     """All figures of a study; those of a former report are removed."""
     folder = study.folder / "figures"
     folder.mkdir(exist_ok=True)
-    for name in ["kernels", "figure", "picture", "relation",
+    for name in ["kernels", "figure", "picture", "relation", "tornado",
                  *(figure[0] for figure in FIGURES)]:
         for old in folder.glob(f"{name}_*.png"):
             old.unlink()
@@ -96,24 +108,33 @@ def figures_of(study):
     parts += [study.attempt(f"The relation '{relation.get('name')}'",
                       relation_part, study, relation)
               for relation in study.data["relations"]]
+    parts += [study.attempt("The sensitivities", sensitivity_part, study,
+                            quantity) for quantity in study.drawn()]
     parts.append(study.attempt("A figure", automatic_figures, study))
     return "\n".join(part for part in parts if part)
 
 
+def variation_of(run):
+    """[(what, value)] that a run varies beside the axes."""
+    variation = run.get("variation")
+    return ([(variation["sensitivity"], variation["value"])]
+            if variation else [])
+
+
 def failures(study):
     """Notes for the runs that failed, with their reasons."""
-    failed = [r for r in study.runs if r["status"] == "failed"]
+    failed = [r for r in study.all_runs if r["status"] == "failed"]
     notes = []
     for r in failed[:20]:
         which = ", ".join([study.title_of(r["series"])] + [
             f"{a} = {v if isinstance(v, str) else f'{v:g}'}"
-            for a, v in r["axes"].items()])
+            for a, v in [*r["axes"].items(), *variation_of(r)]])
         notes.append(f"Failed: {which}: {r['message']}")
     if len(failed) > 20:
         notes.append(f"{len(failed) - 20} further runs failed; see study.csv.")
-    waiting = sum(r["status"] == "not run" for r in study.runs)
+    waiting = sum(r["status"] == "not run" for r in study.all_runs)
     if waiting:
-        notes.append(f"{waiting} of {len(study.runs)} runs have not been "
+        notes.append(f"{waiting} of {len(study.all_runs)} runs have not been "
                      "carried out yet: the same command goes on with them.")
     return notes
 
@@ -143,10 +164,10 @@ def contents(study, level=2, longest=40):
 def write(folder):
     """Draws, composes and writes report.html of a study; returns its path."""
     study = Study(folder)
-    finished = sum(r.get("status") == "finished" for r in study.runs)
+    finished = sum(r.get("status") == "finished" for r in study.all_runs)
     body = ['<p class="kicker">MORSEL · a study</p>',
             f"<h1>{in_page(study.title)}</h1>",
-            f'<p class="lead">{finished} of {len(study.runs)} runs finished, '
+            f'<p class="lead">{finished} of {len(study.all_runs)} runs finished, '
             f"in {len(study.series)} series.</p>"]
     body += contents(study)
     body.append("<h2>Where this comes from</h2><p>Study "

@@ -21,7 +21,8 @@ MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 NEEDED = {"runs": list, "series": list, "quantities": dict, "axes": dict}
 OPTIONAL = {"rates": list, "pareto_fronts": list, "time_to_reach": list,
             "statistics": list, "relations": list, "claims": list,
-            "figures": list}
+            "figures": list, "sensitivities": list,
+            "sensitivity_changes": list}
 
 
 def read_document(file):
@@ -59,7 +60,10 @@ class Study:
         if not isinstance(self.data.get("resolution"), dict):
             self.data["resolution"] = {"formula": "", "label": "resolution"}
         self.title = self.text("title") or self.text("name") or "A study"
-        self.runs = self.data["runs"]
+        # Variations stand after the runs that they vary, and show in the
+        # tornado alone.
+        self.all_runs = self.data["runs"]
+        self.runs = [r for r in self.all_runs if not r.get("variation")]
         self.series = self.data["series"]
         self.quantities = self.data["quantities"]
         self.axes = self.data["axes"]

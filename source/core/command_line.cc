@@ -75,6 +75,10 @@ namespace Morsel
                    "Propose method and resolution for a relative error, such "
                    "as 1e-3 or 0.1%, with predicted time and memory")
         ->type_name("ACCURACY");
+    app.add_flag("--calibrate",
+                 command_line.calibrate,
+                 "Find the damage parameters that give the scene's solid its "
+                 "prescribed strengths (section Calibration)");
     app.add_option("--print-parameters",
                    command_line.print_parameters,
                    "Print every parameter with default, range, unit and "

@@ -1,3 +1,4 @@
+#include <morsel/core/suggestions.h>
 #include <morsel/materials/parameters.h>
 
 #include <deal.II/base/patterns.h>
@@ -5,6 +6,16 @@
 namespace Morsel::Materials
 {
   namespace Patterns = dealii::Patterns;
+
+  namespace
+  {
+    /// What an open entry stands for.
+    std::string
+    else_default(const std::string &open, const double value)
+    {
+      return " " + open + ": the catalogue's, else " + number_text(value) + ".";
+    }
+  } // namespace
 
   void
   MaterialParameters::declare(dealii::ParameterHandler &prm)
@@ -53,9 +64,24 @@ namespace Morsel::Materials
   }
 
 
+  DamageParameters
+  DamageParameters::left_open()
+  {
+    DamageParameters parameters;
+    parameters.flaws              = "catalogue";
+    parameters.correlation_length = 0.;
+    parameters.weibull_modulus    = 0.;
+    parameters.strength_ratio     = 0.;
+    parameters.fracture_energy    = -1.;
+    parameters.threshold_factor   = 0.;
+    return parameters;
+  }
+
+
   void
   DamageParameters::declare(dealii::ParameterHandler &prm)
   {
+    const DamageParameters defaults;
     prm.add_parameter("Enabled", enabled, "Whether the solid can fail.");
     prm.add_parameter(
         "Driver",
@@ -88,21 +114,29 @@ namespace Morsel::Materials
         "(independent of each other), 'correlated' (a field of the place, the "
         "same at every resolution), 'Benz-Asphaug' (explicit flaws, handed out "
         "until each particle has one; with Grady-Kipp growth each activated "
-        "flaw adds to the rate) or 'uniform'.",
-        Patterns::Selection("Weibull|correlated|Benz-Asphaug|uniform"));
+        "flaw adds to the rate) or 'uniform'. 'catalogue': the catalogue's, "
+        "else '" +
+            defaults.flaws + "'.",
+        Patterns::Selection(
+            "catalogue|Weibull|correlated|Benz-Asphaug|uniform"));
     prm.add_parameter("Correlation length",
                       correlation_length,
                       "Length l of the correlated field of thresholds [m]: its "
-                      "correlation at a distance r is exp(-r^2/(2 l^2)).",
+                      "correlation at a distance r is exp(-r^2/(2 l^2))." +
+                          else_default("0", defaults.correlation_length),
                       Patterns::Double(0.));
     prm.add_parameter("Weibull modulus",
                       weibull_modulus,
-                      "Weibull modulus m of the flaw thresholds [1].",
-                      Patterns::Double(1., 200.));
+                      "Weibull modulus m of the flaw thresholds, at least 1 "
+                      "[1]." +
+                          else_default("0", defaults.weibull_modulus),
+                      Patterns::Double(0., 200.));
     prm.add_parameter("Strength ratio",
                       strength_ratio,
-                      "Compressive over tensile strength f_c/f_t [1].",
-                      Patterns::Double(1., 100.));
+                      "Compressive over tensile strength f_c/f_t, at least 1 "
+                      "[1]." +
+                          else_default("0", defaults.strength_ratio),
+                      Patterns::Double(0., 100.));
     prm.add_parameter(
         "Softening range",
         softening_range,
@@ -114,14 +148,17 @@ namespace Morsel::Materials
         fracture_energy,
         "Energy G_c that a unit area of crack takes in tension [J/m^2], "
         "K_Ic^2 (1 - nu^2)/E: the softening ends where it must for that "
-        "(crack band), whatever the spacing; 0: the softening range holds.",
-        Patterns::Double(0.));
+        "(crack band), whatever the spacing; 0: the softening range holds." +
+            else_default("-1", defaults.fracture_energy),
+        Patterns::Double(-1.));
     prm.add_parameter(
         "Threshold factor",
         threshold_factor,
         "Factor c of the threshold rule r_i = c w_i / b(m, range) [1]: above 1 "
-        "makes good for the weakest-link loss of a block between plates.",
-        Patterns::Double(0.01, 100.));
+        "makes good for the weakest-link loss of a block between plates; "
+        "--calibrate finds it." +
+            else_default("0", defaults.threshold_factor),
+        Patterns::Double(0., 100.));
     prm.add_parameter(
         "Face exclusion",
         face_exclusion,

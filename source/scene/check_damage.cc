@@ -90,6 +90,17 @@ namespace Morsel::Scene
   {
     check_numerics(body, findings);
     const std::string section = "Body " + body.name + "/Damage/";
+    // 0 has been filled, so what is too small now was given.
+    if (body.damage.weibull_modulus < 1.)
+      findings.mistake(section + "Weibull modulus",
+                       "it must be at least 1; 0 takes the catalogue's.");
+    if (body.damage.strength_ratio < 1.)
+      findings.mistake(section + "Strength ratio",
+                       "it must be at least 1; 0 takes the catalogue's.");
+    if (body.damage.fracture_energy < 0.)
+      findings.mistake(section + "Fracture energy",
+                       "it must not be negative; 0 lets the softening range "
+                       "decide, -1 takes the catalogue's.");
     if (body.damage.flaws == "correlated" &&
         !(body.damage.correlation_length > 0.))
       findings.mistake(section + "Correlation length",

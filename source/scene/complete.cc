@@ -60,11 +60,13 @@ namespace Morsel::Scene
     }
 
 
+    /// Material and damage, from the catalogue or with the defaults.
     void
-    complete_material(Materials::MaterialParameters     &material,
-                      const std::string                 &path,
-                      const std::vector<ParameterEntry> &entries)
+    complete_solid(ParticleBody                      &body,
+                   const std::vector<ParameterEntry> &entries)
     {
+      Materials::MaterialParameters &material = body.material;
+      const std::string path = "Body " + body.name + "/Material/Name";
       if (material.name != "inline")
         {
           const Materials::Catalogue catalogue(
@@ -84,7 +86,10 @@ namespace Morsel::Scene
                        : suggestion));
             }
           Materials::complete(material, *entry);
+          Materials::complete(body.damage, entry);
         }
+      else
+        Materials::complete(body.damage, nullptr);
       Materials::derive_strength(material);
     }
 
@@ -155,8 +160,7 @@ namespace Morsel::Scene
       {
         if (body.particles_across > 0)
           body.spacing = body.shape.extent(0) / body.particles_across;
-        complete_material(
-            body.material, "Body " + body.name + "/Material/Name", entries);
+        complete_solid(body, entries);
       }
     scene.contact_pairs = read_pairs(pairs, scene, entries);
     if (scene.particle_bodies.empty())

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/patterns.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace Morsel::Scene
@@ -21,16 +22,20 @@ namespace Morsel::Scene
     class Declaration
     {
     public:
-      explicit Declaration(const NamedParts &parts);
+      /// @param with_calibration whether there is a section "Calibration",
+      /// which
+      ///   is no part of a run.
+      Declaration(const NamedParts &parts, bool with_calibration);
 
       /// Writes derived values back, so that the printed parameters
       /// reproduce the run.
       void
       write_back();
 
-      Scene                    scene;
-      std::string              pairs;
-      dealii::ParameterHandler prm;
+      Scene                            scene;
+      std::string                      pairs;
+      Calibrate::CalibrationParameters calibration;
+      dealii::ParameterHandler         prm;
 
     private:
       void
@@ -49,7 +54,8 @@ namespace Morsel::Scene
     };
 
 
-    Declaration::Declaration(const NamedParts &parts)
+    Declaration::Declaration(const NamedParts &parts,
+                             const bool        with_calibration)
     {
       const std::vector<NamedBody> &bodies = parts.bodies;
       for (const NamedBody &body : bodies)
@@ -125,6 +131,8 @@ namespace Morsel::Scene
       section("Stop", scene.stop);
       section("Output", scene.output);
       section("Measures", scene.measures);
+      if (with_calibration)
+        section("Calibration", calibration);
     }
 
 
@@ -205,6 +213,7 @@ namespace Morsel::Scene
         {
           // Copies, since setting an entry sets the bound member, too.
           const Materials::MaterialParameters material = body.material;
+          const Materials::DamageParameters   damage   = body.damage;
           const std::string                   mesh     = body.shape.mesh_file;
           prm.enter_subsection("Body " + body.name);
           prm.enter_subsection("Shape");
@@ -217,6 +226,14 @@ namespace Morsel::Scene
           prm.set("Toughness", exact_text(material.toughness));
           prm.set("Compressive strength",
                   exact_text(material.compressive_strength));
+          prm.leave_subsection();
+          prm.enter_subsection("Damage");
+          prm.set("Flaws", damage.flaws);
+          prm.set("Correlation length", exact_text(damage.correlation_length));
+          prm.set("Weibull modulus", exact_text(damage.weibull_modulus));
+          prm.set("Strength ratio", exact_text(damage.strength_ratio));
+          prm.set("Fracture energy", exact_text(damage.fracture_energy));
+          prm.set("Threshold factor", exact_text(damage.threshold_factor));
           prm.leave_subsection();
           prm.leave_subsection();
         }
@@ -239,6 +256,31 @@ namespace Morsel::Scene
         entries.push_back(read_override(text));
       return entries;
     }
+
+
+    /// Checks all entries against their patterns.
+    Calibrate::CalibrationParameters
+    calibration_of(const NamedParts                  &parts,
+                   const std::vector<ParameterEntry> &entries)
+    {
+      Declaration declaration(parts, true);
+      set_parameters(declaration.prm, entries);
+      return declaration.calibration;
+    }
+
+
+    /// What a run depends on.
+    std::vector<ParameterEntry>
+    without_calibration(std::vector<ParameterEntry> entries)
+    {
+      entries.erase(std::remove_if(entries.begin(),
+                                   entries.end(),
+                                   [](const ParameterEntry &entry) {
+                                     return entry.section == "Calibration";
+                                   }),
+                    entries.end());
+      return entries;
+    }
   } // namespace
 
 
@@ -248,8 +290,10 @@ namespace Morsel::Scene
   {
     const std::vector<ParameterEntry> entries =
         read_entries(file_name, overrides);
-    Declaration declaration(list_parts(file_name, entries));
-    set_parameters(declaration.prm, entries);
+    const NamedParts parts = list_parts(file_name, entries);
+    calibration_of(parts, entries);
+    Declaration declaration(parts, false);
+    set_parameters(declaration.prm, without_calibration(entries));
     complete_scene(declaration.scene, declaration.pairs, file_name, entries);
 
     Scene &scene   = declaration.scene;
@@ -273,6 +317,16 @@ namespace Morsel::Scene
   }
 
 
+  Calibrate::CalibrationParameters
+  read_calibration(const std::string              &file_name,
+                   const std::vector<std::string> &overrides)
+  {
+    const std::vector<ParameterEntry> entries =
+        read_entries(file_name, overrides);
+    return calibration_of(list_parts(file_name, entries), entries);
+  }
+
+
   std::string
   print_parameters(const ParameterFormat           format,
                    const std::string              &file_name,
@@ -291,7 +345,7 @@ namespace Morsel::Scene
         parts.conditions = {"load"};
         parts.observers  = {"tip"};
       }
-    Declaration declaration(parts);
+    Declaration declaration(parts, true);
     if (of_a_scene)
       {
         set_parameters(declaration.prm, entries);

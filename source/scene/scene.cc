@@ -90,6 +90,7 @@ namespace Morsel::Scene
     prm.leave_subsection();
 
     prm.enter_subsection("Damage");
+    damage = Materials::DamageParameters::left_open();
     damage.declare(prm);
     prm.leave_subsection();
 

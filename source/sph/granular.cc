@@ -56,7 +56,6 @@ namespace Morsel::SPH
       , energy(particles.n_local, 0.)
       , grain_heat(particles.n_local, 0.)
       , pair_friction_heat(particles.n_local, 0.)
-      , pair_viscous_heat(particles.n_local, 0.)
       , penalty_energy(particles.n_local, 0.)
   {
     for (unsigned int i = 0; i < particles.n_owned; ++i)
@@ -243,10 +242,12 @@ namespace Morsel::SPH
         GrainForce        &f      = sums[m - block.first];
         double             rubbed = 0.;
         push_live(block, m, dt, f, rubbed);
-        particles.acceleration[i].x += f.x / particles.mass[i];
-        particles.acceleration[i].y += f.y / particles.mass[i];
+        const double inverse_mass = 1. / particles.mass[i];
+        particles.acceleration[i].x += inverse_mass * f.x;
+        particles.acceleration[i].y += inverse_mass * f.y;
+        particles.viscous[i].x += inverse_mass * f.viscous_x;
+        particles.viscous[i].y += inverse_mass * f.viscous_y;
         pair_friction_heat[i] += 0.5 * rubbed * dt;
-        pair_viscous_heat[i] += 0.5 * f.damped * dt;
         penalty_energy[i] = 0.5 * f.pressed;
       }
   }
@@ -282,7 +283,8 @@ namespace Morsel::SPH
                              (c.viscosity_beta * mu - c.viscosity_alpha_c);
             f.x -= q * r_x;
             f.y -= q * r_y;
-            f.damped -= q * vr;
+            f.viscous_x -= q * r_x;
+            f.viscous_y -= q * r_y;
           }
         const double gap = r - std::min(size[m].diameter, size[n].diameter);
         if (gap >= 0.)
@@ -356,13 +358,5 @@ namespace Morsel::SPH
     return std::accumulate(grain_heat.begin(), grain_heat.end(), 0.) +
            std::accumulate(
                pair_friction_heat.begin(), pair_friction_heat.end(), 0.);
-  }
-
-
-  double
-  Granular::viscous_heat() const
-  {
-    return std::accumulate(
-        pair_viscous_heat.begin(), pair_viscous_heat.end(), 0.);
   }
 } // namespace Morsel::SPH

@@ -3,17 +3,36 @@
 
 namespace Morsel::SPH
 {
+  namespace
+  {
+    /// Of the forces of viscosity at the velocity that the accelerations lead
+    /// to [W], not the predicted one: that would book too much of fast motion.
+    double
+    viscous_power(const Particles &p, const unsigned int i, const double lag)
+    {
+      const Vector2 v = p.half_velocity[i], a = p.acceleration[i];
+      return -p.mass[i] * (p.viscous[i].x * (v.x + lag * a.x) +
+                           p.viscous[i].y * (v.y + lag * a.y));
+    }
+  } // namespace
+
+
   void
   Leapfrog::advance(Particles &particles, const double dt)
   {
-    const double kick = lag(dt) + 0.5 * dt;
-    started           = true;
+    const double before  = lag(dt);
+    const double kick    = before + 0.5 * dt;
+    const bool   viscous = !particles.viscous.empty();
+    started              = true;
     parallel_for(particles.n_owned, [&](unsigned int begin, unsigned int end) {
       for (unsigned int i = begin; i < end; ++i)
         {
           const Vector2 a = particles.acceleration[i];
           Vector2      &v = particles.half_velocity[i];
           Motion       &m = particles.motion[i];
+          if (viscous)
+            particles.viscous_heat[i] +=
+                kick * viscous_power(particles, i, before);
           v.x += kick * a.x;
           v.y += kick * a.y;
           m.u_x += dt * v.x;
@@ -36,6 +55,21 @@ namespace Morsel::SPH
         const Vector2 v = leapfrog.velocity(particles, i, time_step);
         sum += 0.5 * particles.mass[i] * (v.x * v.x + v.y * v.y);
       }
+    return sum;
+  }
+
+
+  double
+  viscous_heat(const Leapfrog  &leapfrog,
+               const Particles &particles,
+               const double     time_step)
+  {
+    double       sum = 0.;
+    const double lag = leapfrog.lag(time_step);
+    for (unsigned int i = 0;
+         i < (particles.viscous.empty() ? 0 : particles.n_owned);
+         ++i)
+      sum += particles.viscous_heat[i] + lag * viscous_power(particles, i, lag);
     return sum;
   }
 

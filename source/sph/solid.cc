@@ -184,8 +184,11 @@ namespace Morsel::SPH
     particles.hourglass.assign(n, hourglass_stiffness);
     for (unsigned int i = 0; i < particles.modulus.size(); ++i)
       particles.hourglass[i] *= particles.modulus[i];
-    if (viscosity)
-      particles.viscous_heat.assign(n, 0.);
+    if (viscosity || body.damage.enabled)
+      {
+        particles.viscous.assign(n, {0., 0.});
+        particles.viscous_heat.assign(n, 0.);
+      }
     if (normalisation == Normalisation::conforming)
       {
         particles.fit_stress.assign(n, {0., 0., 0., 0.});
@@ -286,7 +289,7 @@ namespace Morsel::SPH
       const unsigned int n = particles.n_groups();
       kernels.strain_conforming[linear_law][0](arrays, constants, 0, n);
       kernels.force_conforming[false][!particles.modulus.empty()](
-          arrays, constants, 0., 0, n);
+          arrays, constants, 0, n);
       for (unsigned int i = 0; i < particles.n_owned; ++i)
         a[i] = {particles.acceleration[i].x / scale,
                 particles.acceleration[i].y / scale};
@@ -359,7 +362,7 @@ namespace Morsel::SPH
 
 
   void
-  Solid::compute_accelerations(const double time_step)
+  Solid::compute_accelerations(const double)
   {
     constexpr unsigned int grain  = 64;
     const BondedArrays     arrays = bonded_arrays(particles, bonds);
@@ -370,10 +373,12 @@ namespace Morsel::SPH
         },
         grain);
     host.exchange(particles.pair_stress);
+    if (!viscosity) // what failed material added
+      std::fill(particles.viscous.begin(), particles.viscous.end(), Vector2{});
     parallel_for(
         particles.n_groups(),
         [&](unsigned int begin, unsigned int end) {
-          force_loop(arrays, constants, time_step, begin, end);
+          force_loop(arrays, constants, begin, end);
         },
         grain);
   }

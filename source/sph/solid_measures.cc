@@ -33,14 +33,13 @@ namespace Morsel::SPH
             particles.hourglass[i] * fit_residual(particles, bonds, i);
       }
     e.kinetic      = kinetic_energy(leapfrog, particles, time_step);
-    e.viscous_heat = sum(particles.viscous_heat);
+    e.viscous_heat = viscous_heat(leapfrog, particles, time_step);
     if (fracture)
       {
         e.damage_heat   = sum(particles.damage_heat);
         e.bond_heat     = fracture->bond_heat();
         e.granular      = granular->stored_energy();
         e.friction_heat = granular->friction_heat();
-        e.viscous_heat += granular->viscous_heat();
       }
     double *const all = &e.strain;
     host.sum(dealii::ArrayView<double>(all, sizeof(e) / sizeof(double)));

@@ -192,6 +192,23 @@ namespace Morsel::Study
       check_series_names(study, section + "Series", figure.series);
       axis_values(study, section + "Where", figure.where);
     }
+
+
+    void
+    check_sensitivity(const Study &study, const Sensitivity &sensitivity)
+    {
+      const std::string section = "Sensitivity " + sensitivity.name + "/";
+      if (sensitivity.entries.empty())
+        throw InputError(study.place_of(section + "Entries") +
+                         " is missing: say which entry of the scene is varied, "
+                         "as in 'Body food/Solid/CFL factor'.");
+      if (sensitivity.low == sensitivity.high)
+        throw InputError(study.place_of(section + "High") + " = " +
+                         number_text(sensitivity.high) +
+                         " is also 'Low': give two different values.");
+      check_number(study, section + "Base", sensitivity.base);
+      check_series_names(study, section + "Series", sensitivity.series);
+    }
   } // namespace
 
 
@@ -238,5 +255,7 @@ namespace Morsel::Study
       check_claim(study, claim);
     for (const Figure &figure : study.figures)
       check_figure(study, figure);
+    for (const Sensitivity &sensitivity : study.sensitivities)
+      check_sensitivity(study, sensitivity);
   }
 } // namespace Morsel::Study

@@ -65,6 +65,11 @@ namespace Morsel::Study
                         "A smaller study for a first look: axes take their "
                         "'Quick values' or 'Quick count', series add their "
                         "'Quick entries'.");
+      prm.add_parameter("Numerical bound",
+                        study.numerical_bound,
+                        "What numerical entries of 'Sensitivity' sections may "
+                        "change a quantity by [1].",
+                        Patterns::Double(0.));
       prm.leave_subsection();
     }
 
@@ -283,6 +288,43 @@ namespace Morsel::Study
                         "= peanut'.");
       prm.leave_subsection();
     }
+
+
+    void
+    declare_sensitivity(Sensitivity &sensitivity, dealii::ParameterHandler &prm)
+    {
+      prm.enter_subsection("Sensitivity " + sensitivity.name);
+      prm.add_parameter(
+          "Label", sensitivity.label, "For figures; the name if empty.");
+      prm.add_parameter("Entries",
+                        sensitivity.entries,
+                        "What is varied, all else being as it is, separated "
+                        "by semicolons: 'Section/Key', or 'Section/Key = "
+                        "text' with formulas of 'value' in braces.");
+      prm.add_parameter(
+          "Low", sensitivity.low, "The one value [unit of the entry].");
+      prm.add_parameter(
+          "High", sensitivity.high, "The other value [unit of the entry].");
+      prm.add_parameter("Relative",
+                        sensitivity.relative,
+                        "Low and High are multiples of the base scene's value "
+                        "[1].");
+      prm.add_parameter("Base",
+                        sensitivity.base,
+                        "The base scene's value [unit of the entry]; empty: "
+                        "that of the first of Entries.",
+                        Patterns::Anything());
+      prm.add_parameter("Numerical",
+                        sensitivity.numerical,
+                        "Whether this is a coefficient of the method, which "
+                        "should change quantities by less than 'Study/"
+                        "Numerical bound', and no property of what is "
+                        "simulated.");
+      prm.add_parameter("Series",
+                        sensitivity.series,
+                        "Only in these series, separated by commas.");
+      prm.leave_subsection();
+    }
   } // namespace
 
 
@@ -302,5 +344,7 @@ namespace Morsel::Study
       declare_claim(claim, prm);
     for (Figure &figure : study.figures)
       declare_figure(figure, prm);
+    for (Sensitivity &sensitivity : study.sensitivities)
+      declare_sensitivity(sensitivity, prm);
   }
 } // namespace Morsel::Study

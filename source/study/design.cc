@@ -1,6 +1,7 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/study/design.h>
+#include <morsel/study/sensitivity.h>
 
 #include <algorithm>
 #include <cctype>
@@ -114,7 +115,8 @@ namespace Morsel::Study
     }
 
 
-    /// "Section/Key = text" as an override, formulas filled in.
+    /// "Section/Key = text" as an override, formulas filled in; {series} is the
+    /// name of the series.
     /// @param value what an entry without text gets, if there is one
     std::string
     override_of(const Study       &study,
@@ -124,18 +126,20 @@ namespace Morsel::Study
                 const std::string *value)
     {
       const std::size_t equals = item.find('=');
-      if (equals == std::string::npos)
-        {
-          if (value == nullptr)
-            throw InputError(study.place_of(path) + " has '" + item +
-                             "' where 'Section/Key = text' is needed.");
-          return item + "=" + *value;
-        }
+      if (equals == std::string::npos && value == nullptr)
+        throw InputError(study.place_of(path) + " has '" + item +
+                         "' where 'Section/Key = text' is needed.");
+      auto texts = run.texts;
+      texts.emplace("series", study.series[run.series].name);
       try
         {
-          return trimmed(item.substr(0, equals)) + "=" +
-                 fill_in(
-                     trimmed(item.substr(equals + 1)), run.numbers, run.texts);
+          const auto filled = [&](const std::string &text) {
+            return fill_in(trimmed(text), run.numbers, texts);
+          };
+          return filled(item.substr(0, equals)) + "=" +
+                 (equals == std::string::npos
+                      ? *value
+                      : filled(item.substr(equals + 1)));
         }
       catch (const InputError &error)
         {
@@ -157,36 +161,21 @@ namespace Morsel::Study
                   const std::vector<Factor> &factors,
                   PlannedRun                &run)
     {
-      const Series     &series = study.series[run.series];
-      const std::string path   = "Series " + series.name + "/Entries";
-      for (const std::string &item : split_entries(series.entries))
-        run.overrides.push_back(override_of(study, path, item, run, nullptr));
-      for (const Factor &factor : factors)
-        for (const std::string &item : split_entries(factor.axis->entries))
-          run.overrides.push_back(
-              override_of(study,
-                          "Axis " + factor.axis->name + "/Entries",
-                          item,
+      const Series &series = study.series[run.series];
+      const auto    append = [&](const std::vector<std::string> &more) {
+        run.overrides.insert(run.overrides.end(), more.begin(), more.end());
+      };
+      append(overrides_of(study,
+                          "Series " + series.name + "/Entries",
+                          series.entries,
                           run,
-                          &run.texts[factor.axis->name]));
-    }
-
-
-    /// A name that any file system takes, with a hash that makes it unique.
-    std::string
-    folder_name(const PlannedRun &run)
-    {
-      std::string name;
-      for (const char c : run.label.substr(0, 60))
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ||
-            c == '-' || c == '=')
-          name += c;
-        else if (c == ',' || (c != ' ' && !name.empty() && name.back() != '_'))
-          name += '_';
-      std::string all = run.label;
-      for (const std::string &text : run.overrides)
-        all += "\n" + text;
-      return name + "_" + text_hash(all).substr(0, 6);
+                          nullptr));
+      for (const Factor &factor : factors)
+        append(overrides_of(study,
+                            "Axis " + factor.axis->name + "/Entries",
+                            factor.axis->entries,
+                            run,
+                            &run.texts[factor.axis->name]));
     }
 
 
@@ -248,6 +237,37 @@ namespace Morsel::Study
                            "axis varies, as in 'XFEM/Cells along x'.");
     }
   } // namespace
+
+
+  std::vector<std::string>
+  overrides_of(const Study       &study,
+               const std::string &path,
+               const std::string &entries,
+               const PlannedRun  &run,
+               const std::string *value)
+  {
+    std::vector<std::string> overrides;
+    for (const std::string &item : split_entries(entries))
+      overrides.push_back(override_of(study, path, item, run, value));
+    return overrides;
+  }
+
+
+  std::string
+  folder_name(const PlannedRun &run)
+  {
+    std::string name;
+    for (const char c : run.label.substr(0, 60))
+      if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ||
+          c == '-' || c == '=')
+        name += c;
+      else if (c == ',' || (c != ' ' && !name.empty() && name.back() != '_'))
+        name += '_';
+    std::string all = run.label;
+    for (const std::string &text : run.overrides)
+      all += "\n" + text;
+    return name + "_" + text_hash(all).substr(0, 6);
+  }
 
 
   bool
@@ -320,6 +340,7 @@ namespace Morsel::Study
     std::vector<PlannedRun> runs;
     for (unsigned int s = 0; s < study.series.size(); ++s)
       plan_series(study, s, runs);
+    append_variations(study, runs);
     return runs;
   }
 } // namespace Morsel::Study

@@ -139,7 +139,8 @@ namespace Morsel::Study
       const Row *finest = nullptr;
       const auto group  = truth_group(quantity, run);
       for (const Row &row : rows)
-        if (row.resolution && row.quantities[q].value &&
+        if (row.run->sensitivity.empty() && row.resolution &&
+            row.quantities[q].value &&
             truth_group(quantity, *row.run) == group &&
             (finest == nullptr || *row.resolution > *finest->resolution))
           finest = &row;

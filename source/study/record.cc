@@ -60,6 +60,20 @@ namespace Morsel::Study
         }
       return document;
     }
+
+
+    /// All parameters of a cracked plate.
+    std::string
+    parameters_of_plate(const std::string              &scene_file,
+                        const std::vector<std::string> &overrides,
+                        const std::string              &format)
+    {
+      CommandLine command_line;
+      command_line.scene_file       = scene_file;
+      command_line.overrides        = overrides;
+      command_line.print_parameters = format;
+      return fracture_parameters(command_line);
+    }
   } // namespace
 
 
@@ -68,13 +82,7 @@ namespace Morsel::Study
                    const std::vector<std::string> &overrides)
   {
     if (is_fracture_scene(scene_file, overrides))
-      {
-        CommandLine command_line;
-        command_line.scene_file       = scene_file;
-        command_line.overrides        = overrides;
-        command_line.print_parameters = "prm";
-        return fracture_parameters(command_line);
-      }
+      return parameters_of_plate(scene_file, overrides, "prm");
     const std::string text = Scene::print_parameters(
         Scene::ParameterFormat::prm, scene_file, overrides);
     try
@@ -88,6 +96,26 @@ namespace Morsel::Study
         // say so itself.
         return text;
       }
+  }
+
+
+  std::map<std::string, std::string>
+  scene_values(const std::string              &scene_file,
+               const std::vector<std::string> &overrides)
+  {
+    const std::string text =
+        is_fracture_scene(scene_file, overrides)
+            ? parameters_of_plate(scene_file, overrides, "json")
+            : Scene::print_parameters(
+                  Scene::ParameterFormat::json, scene_file, overrides);
+    std::map<std::string, std::string> values;
+    for (const ordered_json &entry : ordered_json::parse(text))
+      {
+        const std::string section                 = entry["section"];
+        values[(section.empty() ? "" : section + "/") +
+               entry["entry"].get<std::string>()] = entry["value"];
+      }
+    return values;
   }
 
 

@@ -3,6 +3,7 @@
 #include <morsel/study/optional_json.h>
 #include <morsel/study/relations.h>
 #include <morsel/study/results.h>
+#include <morsel/study/sensitivity.h>
 
 #include <nlohmann/json.hpp>
 
@@ -103,6 +104,7 @@ namespace Morsel::Study
             {"error", json_of(row.quantities[q].error)}};
       return {{"series", study.series[row.run->series].name},
               {"axes", axes},
+              {"variation", variation_json(*row.run)},
               {"status", name_of(row.record->state)},
               {"message", row.record->message},
               {"kept", row.record->kept},
@@ -143,6 +145,8 @@ namespace Morsel::Study
     header(const Study &study, const std::vector<Row> &rows)
     {
       std::string text = "series";
+      if (!study.sensitivities.empty())
+        text += ",variation";
       for (const Axis &axis : study.axes)
         text += "," + cell(axis.name + " [" + axis.unit + "]");
       text += ",status,resolution [1]";
@@ -170,6 +174,8 @@ namespace Morsel::Study
       {
         const Record &record = *row.record;
         out << cell(study.series[row.run->series].name);
+        if (!study.sensitivities.empty())
+          out << ',' << cell(variation_text(*row.run));
         for (const Axis &axis : study.axes)
           {
             const auto text = row.run->texts.find(axis.name);
@@ -193,9 +199,15 @@ namespace Morsel::Study
   ordered_json
   study_json(const Study &study, const std::vector<Row> &rows)
   {
-    ordered_json runs = ordered_json::array();
+    ordered_json     runs = ordered_json::array();
+    std::vector<Row> base;
     for (const Row &row : rows)
-      runs.push_back(run_json(study, row));
+      {
+        runs.push_back(run_json(study, row));
+        // They come first, so that their indices hold.
+        if (row.run->sensitivity.empty())
+          base.push_back(row);
+      }
     return {{"name", study.name},
             {"title", study.title},
             {"study", study.file},
@@ -219,12 +231,14 @@ namespace Morsel::Study
             {"series", series_json(study)},
             {"quantities", quantities_json(study, rows)},
             {"runs", runs},
-            {"rates", fitted_rates(study, rows)},
-            {"pareto_fronts", pareto_fronts(study, rows)},
-            {"time_to_reach", times_to_reach(study, rows)},
-            {"statistics", draw_statistics(study, rows)},
-            {"relations", relations_json(study, rows)},
-            {"claims", claims_json(study, rows)},
-            {"figures", figures_json(study, rows)}};
+            {"rates", fitted_rates(study, base)},
+            {"pareto_fronts", pareto_fronts(study, base)},
+            {"time_to_reach", times_to_reach(study, base)},
+            {"statistics", draw_statistics(study, base)},
+            {"relations", relations_json(study, base)},
+            {"claims", claims_json(study, base)},
+            {"figures", figures_json(study, base)},
+            {"sensitivities", sensitivities_json(study)},
+            {"sensitivity_changes", sensitivity_changes(study, rows)}};
   }
 } // namespace Morsel::Study

@@ -7,6 +7,7 @@
 #include <morsel/study/results.h>
 #include <morsel/study/run_study.h>
 #include <morsel/study/runner.h>
+#include <morsel/study/sensitivity.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>
@@ -144,6 +145,29 @@ namespace Morsel::Study
     }
 
 
+    /// What every variation changes.
+    void
+    log_sensitivities(RunLog                 &log,
+                      const Study            &study,
+                      const std::vector<Row> &rows)
+    {
+      for (const ordered_json &change : sensitivity_changes(study, rows))
+        {
+          log << "Sensitivity of " << change["quantity"].get<std::string>()
+              << ", " << change["series"].get<std::string>() << ": "
+              << change["sensitivity"].get<std::string>();
+          for (const char *side : {"low", "high"})
+            if (const ordered_json &end = change[side]; !end.is_null())
+              log << ", " << number_text(end["value"]) << ": "
+                  << number_text(100. * end["change"].get<double>()) << " %";
+          log << (change["beyond_bound"].get<bool>()
+                      ? ", beyond the bound of numerical coefficients\n"
+                      : "\n");
+        }
+      log << std::flush;
+    }
+
+
     /// Runs what is left, with the results on the disk after every run.
     void
     carry_out_runs(const Study                   &study,
@@ -200,7 +224,9 @@ namespace Morsel::Study
         throw NumericalError("No run of the study finished; the first one "
                              "failed with " +
                              failed->message);
-      log_rates(log, study, evaluate_runs(study, runs, records));
+      const std::vector<Row> rows = evaluate_runs(study, runs, records);
+      log_rates(log, study, rows);
+      log_sensitivities(log, study, rows);
       if (outcome.n_failed > 0)
         log.warning(std::to_string(outcome.n_failed) + " of " +
                     std::to_string(records.size()) +
@@ -211,13 +237,15 @@ namespace Morsel::Study
 
 
   void
-  refuse_several_ranks()
+  refuse_several_ranks(const std::string &what, const std::string &section)
   {
     if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1 ||
         std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
-      throw InputError("A study starts its runs itself: start it without "
-                       "mpirun, and say in 'Study/Side by side' how many "
-                       "runs shall go at a time.");
+      throw InputError(what +
+                       " starts its runs itself: start it without "
+                       "mpirun, and say in '" +
+                       section +
+                       "/Side by side' how many runs shall go at a time.");
   }
 
 

@@ -115,6 +115,9 @@ namespace Morsel::Study
         study.claims.emplace_back().name = name;
       for (const std::string &name : section_names(study.entries, "Figure"))
         study.figures.emplace_back().name = name;
+      for (const std::string &name :
+           section_names(study.entries, "Sensitivity"))
+        study.sensitivities.emplace_back().name = name;
       std::vector<std::string> names =
           list_items(last_value(study.entries, "Study/Quantities", ""));
       for (const std::string &name : section_names(study.entries, "Quantity"))
@@ -189,11 +192,12 @@ namespace Morsel::Study
     Reading reading;
     read(reading, file_name, overrides);
     Study study = reading.study;
-    if (study.axes.empty() && study.series.empty())
+    if (study.axes.empty() && study.series.empty() &&
+        study.sensitivities.empty())
       throw InputError(file_name +
                        ": The study varies nothing; give it a section 'Axis "
                        "<name>' with 'Values' and 'Entries', or sections "
-                       "'Series <name>'.");
+                       "'Series <name>' or 'Sensitivity <name>'.");
     if (study.name.empty())
       study.name = fs::path(file_name).stem().string();
     if (study.series.empty())
@@ -220,6 +224,9 @@ namespace Morsel::Study
     for (Relation &relation : study.relations)
       if (relation.label.empty())
         relation.label = relation.name;
+    for (Sensitivity &sensitivity : study.sensitivities)
+      if (sensitivity.label.empty())
+        sensitivity.label = sensitivity.name;
     name_base_scenes_absolutely(reading);
     study.used_parameters = parameters_as_prm(reading.prm, false);
     return study;

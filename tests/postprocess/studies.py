@@ -121,6 +121,39 @@ def a_claim(**more):
     return claim
 
 
+def an_end(value, change, error=None):
+    """One end of a variation."""
+    return {"value": value, "change": change, "standard_error": error,
+            "count": 3 if error else 1}
+
+
+def a_sensitivity_study():
+    """One run, with an entry of the scene and one of the method varied."""
+    runs = [a_run("p1", 10, 0.01) for _ in range(4)]
+    runs.append(a_run("p1", 10, 0, "failed"))
+    runs[0]["variation"] = None
+    for run, (name, side, value) in zip(runs[1:], (
+            ("modulus", "low", 0.9e9), ("modulus", "high", 1.1e9),
+            ("hourglass", "high", 1.0), ("hourglass", "low", 0.5))):
+        run["variation"] = {"sensitivity": name, "side": side, "value": value}
+    common = {"quantity": "K", "series": "p1", "at": {"theta": "30"}}
+    return a_study(
+        runs=runs, rates=[], pareto_fronts=[], time_to_reach=[], timing=False,
+        series=[{"name": "p1", "title": "p = 1", "base_scene": "a.prm"}],
+        sensitivities=[
+            {"name": "modulus", "label": "Young's modulus", "low": 0.9,
+             "high": 1.1, "relative": True, "numerical": False, "bound": None},
+            {"name": "hourglass", "label": "hourglass coefficient", "low": 0.5,
+             "high": 1.0, "relative": False, "numerical": True,
+             "bound": 0.03}],
+        sensitivity_changes=[
+            {**common, "sensitivity": "hourglass", "size": 0.04,
+             "beyond_bound": True, "low": None, "high": an_end(1.0, -0.04)},
+            {**common, "sensitivity": "modulus", "size": 0.1,
+             "beyond_bound": False, "low": an_end(0.9e9, -0.1, 0.01),
+             "high": an_end(1.1e9, 0.1, 0.02)}])
+
+
 FOODS = ["raw carrot", "apple", "peanut", "almond", "brittle candy",
          "hard biscuit", "raw potato", "parmesan"]
 

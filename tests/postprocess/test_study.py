@@ -10,8 +10,8 @@ sys.path.insert(0, str(HERE))
 sys.path.insert(0, str(HERE.parent.parent / "postprocess"))
 
 import report
-from studies import (PageTest, a_food_study, a_run, a_study, an_axis,
-                     without_figures)
+from studies import (PageTest, a_food_study, a_run, a_sensitivity_study,
+                     a_study, an_axis, without_figures)
 
 
 class StudyTest(PageTest):
@@ -64,6 +64,28 @@ class StudyTest(PageTest):
             runs=runs, rates=[], pareto_fronts=[], time_to_reach=[],
             timing=False))
         self.assertEqual(figures, {"side_by_side_K"})
+        self.assertNotIn("could not be drawn", page)
+
+    def test_tornado(self):
+        page, figures = self.page_of(a_sensitivity_study())
+        self.assertEqual(figures, {"tornado_K"})
+        self.assertNotIn("could not be drawn", page)
+        for text in ("<i>hourglass coefficient</i>", "×0.9", "<b>beyond</b>",
+                     "+10 ±\u202f2\u202f%", "−4\u202f%",
+                     "Beyond the bound of the method: hourglass coefficient",
+                     "4 of 5 runs finished", "hourglass = 0.5: status 2"):
+            self.assertIn(text, page)
+        # The largest comes first, and variations are no runs of their own.
+        self.assertLess(page.index("modulus"),
+                        page.index("<i>hourglass coefficient</i>"))
+        self.assertIn("All runs", page)
+
+    def test_tornado_without_its_other_end(self):
+        document = a_sensitivity_study()
+        for change in document["sensitivity_changes"]:
+            change["high"] = None
+        page, figures = self.page_of(document)
+        self.assertEqual(figures, {"tornado_K"})
         self.assertNotIn("could not be drawn", page)
 
     def test_stability(self):

@@ -4,7 +4,13 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
 
 using namespace Morsel::Materials;
 
@@ -29,7 +35,86 @@ BOOST_AUTO_TEST_CASE(every_entry_is_sound_and_names_its_source)
                     name == "poissons_ratio" || name == "toughness" ||
                     name == "fracture_energy" ||
                     name == "compressive_strength"));
+      if (!entry.damage)
+        continue;
+      BOOST_TEST(std::filesystem::is_regular_file(MORSEL_SOURCE_DIR "/" +
+                                                  entry.damage->scene));
+      BOOST_TEST(entry.damage->particles_across > 0u);
+      BOOST_TEST(entry.damage->seeds > 0u);
+      const double c = entry.damage->threshold_factor.value_or(0.);
+      BOOST_TEST((c > 0.1 && c < 10.));
     }
+}
+
+
+BOOST_AUTO_TEST_CASE(open_damage_is_the_catalogues_or_else_the_default)
+{
+  const DamageParameters defaults;
+  DamageParameters       damage = DamageParameters::left_open();
+  complete(damage, nullptr);
+  BOOST_TEST(damage.threshold_factor == defaults.threshold_factor);
+  BOOST_TEST(damage.weibull_modulus == defaults.weibull_modulus);
+  BOOST_TEST(damage.strength_ratio == defaults.strength_ratio);
+  BOOST_TEST(damage.fracture_energy == defaults.fracture_energy);
+  BOOST_TEST(damage.correlation_length == defaults.correlation_length);
+  BOOST_TEST(damage.flaws == defaults.flaws);
+
+  CatalogueEntry entry;
+  entry.damage.emplace();
+  entry.damage->threshold_factor = 1.05;
+  entry.damage->fracture_energy  = 2.5;
+  entry.damage->flaws            = "correlated";
+  damage                         = DamageParameters::left_open();
+  damage.weibull_modulus         = 5.;
+  complete(damage, &entry);
+  BOOST_TEST(damage.threshold_factor == 1.05);
+  BOOST_TEST(damage.fracture_energy == 2.5);
+  BOOST_TEST(damage.flaws == "correlated");
+  BOOST_TEST(damage.weibull_modulus == 5.);
+  BOOST_TEST(damage.strength_ratio == defaults.strength_ratio);
+
+  // What the scene gives goes before, 0 for the fracture energy included.
+  damage                  = DamageParameters::left_open();
+  damage.fracture_energy  = 0.;
+  damage.threshold_factor = 1.3;
+  damage.flaws            = "uniform";
+  complete(damage, &entry);
+  BOOST_TEST(damage.fracture_energy == 0.);
+  BOOST_TEST(damage.threshold_factor == 1.3);
+  BOOST_TEST(damage.flaws == "uniform");
+
+  // Grady-Kipp growth has no fracture energy.
+  damage        = DamageParameters::left_open();
+  damage.growth = "Grady-Kipp";
+  complete(damage, &entry);
+  BOOST_TEST(damage.fracture_energy == 0.);
+}
+
+
+BOOST_AUTO_TEST_CASE(calibrated_damage_is_read_as_it_was_written)
+{
+  CatalogueDamage damage;
+  damage.threshold_factor = 1.05;
+  damage.flaws            = "Weibull";
+  damage.scene            = "prm/food/peanut.prm";
+  damage.particles_across = 41;
+  damage.seeds            = 5;
+  const auto file         = std::filesystem::temp_directory_path() /
+                    ("morsel_catalogue" + std::to_string(getpid()) + ".json");
+  nlohmann::ordered_json catalogue =
+      nlohmann::ordered_json::parse(std::ifstream(Catalogue::shipped_file()));
+  catalogue["materials"][0]["damage"] = as_json(damage);
+  std::ofstream(file) << catalogue;
+  const Catalogue read(file.string());
+  std::filesystem::remove(file);
+  const auto &found = read.entries().front().damage;
+  BOOST_REQUIRE(found.has_value());
+  BOOST_TEST(*found->threshold_factor == 1.05);
+  BOOST_TEST(*found->flaws == "Weibull");
+  BOOST_TEST(!found->strength_ratio.has_value());
+  BOOST_TEST(found->scene == "prm/food/peanut.prm");
+  BOOST_TEST(found->particles_across == 41u);
+  BOOST_TEST(found->seeds == 5u);
 }
 
 

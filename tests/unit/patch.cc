@@ -243,7 +243,7 @@ BOOST_AUTO_TEST_CASE(viscous_forces_cancel_and_heat_is_their_power)
         }
       body.accelerate();
       const auto elastic = body.p.acceleration;
-      body.accelerate(true, 1e-6);
+      body.accelerate(true);
       double f_x = 0., f_y = 0., power = 0., moment = 0., heat = 0., size = 0.;
       for (unsigned int i = 0; i < body.p.n_owned; ++i)
         {
@@ -257,12 +257,15 @@ BOOST_AUTO_TEST_CASE(viscous_forces_cancel_and_heat_is_their_power)
           power += body.p.mass[0] *
                    (a_x * body.p.motion[i].v_x + a_y * body.p.motion[i].v_y);
           size += std::hypot(a_x, a_y);
-          heat += body.p.viscous_heat[i];
-          BOOST_REQUIRE(body.p.viscous_heat[i] >= 0.);
         }
+      for (unsigned int i = 0; i < body.p.n_owned; ++i)
+        body.p.half_velocity[i] = {body.p.motion[i].v_x, body.p.motion[i].v_y};
+      body.leapfrog.advance(body.p, 1e-6); // half a kick at first
+      for (unsigned int i = 0; i < body.p.n_owned; ++i)
+        heat += body.p.viscous_heat[i];
       BOOST_TEST(std::hypot(f_x, f_y) < 1e-13 * size);
       BOOST_TEST(std::abs(moment) < 1e-12 * size);
-      BOOST_TEST(heat == -power * 1e-6, boost::test_tools::tolerance(1e-10));
+      BOOST_TEST(heat == -power * 0.5e-6, boost::test_tools::tolerance(1e-10));
       BOOST_TEST(heat > 0.);
     }
 }

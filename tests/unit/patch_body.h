@@ -68,6 +68,7 @@ namespace Morsel::SPH
       p.gradient.assign(n, {0., 0., 0., 0.});
       p.pair_stress.assign(n, {0., 0., 0., 0.});
       p.hourglass.assign(n, hourglass_stiffness);
+      p.viscous.assign(n, {0., 0.});
       p.viscous_heat.assign(n, 0.);
       p.damage.assign(n, 0.);
       p.failed.assign(n, 0);
@@ -174,13 +175,14 @@ namespace Morsel::SPH
 
     /// Accelerations at the present displacements.
     void
-    accelerate(const bool viscosity = false, const double time_step = 0.)
+    accelerate(const bool viscosity = false)
     {
       strain();
+      p.viscous.assign(p.n_local, {0., 0.});
       const PairKernels &kernels = pair_kernels();
       (is_conforming() ? kernels.force_conforming
                        : kernels.force)[viscosity][true](
-          bonded_arrays(p, bonds), constants(), time_step, 0, p.n_groups());
+          bonded_arrays(p, bonds), constants(), 0, p.n_groups());
     }
 
     /// Strain and hourglass energy at the present displacements [J].

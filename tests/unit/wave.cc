@@ -316,7 +316,7 @@ BOOST_AUTO_TEST_CASE(energy_of_noise_is_conserved_or_becomes_heat)
                              << error);
           BOOST_TEST(error < 0.05);
           if (last > 0.)
-            BOOST_TEST(last / error > (solid.has_viscosity() ? 1.8 : 3.5));
+            BOOST_TEST(last / error > 3.5);
           last = error;
         }
     }

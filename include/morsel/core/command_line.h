@@ -15,7 +15,8 @@ namespace Morsel
     std::vector<std::string> overrides;        ///< of --set
     std::string              print_parameters; ///< prm, json, md or empty
     std::string              plan;             ///< accuracy, or empty
-    bool                     resume = false;
+    bool                     calibrate = false;
+    bool                     resume    = false;
     /// output_directory is empty if not given, threads 0.
     RunOptions run;
 

@@ -56,6 +56,11 @@ namespace Morsel::Materials
     /// Friction coefficient of failed material [1] (Drucker-Prager).
     double granular_friction = 0.5;
 
+    /// The same, with what the catalogue may know left open: 0 (fracture
+    /// energy -1), flaws 'catalogue'. So scenes begin, and complete() fills.
+    static DamageParameters
+    left_open();
+
     void
     declare(dealii::ParameterHandler &prm);
   };

@@ -1,6 +1,7 @@
 #ifndef morsel_scene_read_h
 #define morsel_scene_read_h
 
+#include <morsel/calibrate/parameters.h>
 #include <morsel/scene/scene.h>
 
 #include <string>
@@ -23,6 +24,14 @@ namespace Morsel::Scene
   Scene
   read_scene_on_all_ranks(const std::string              &file_name,
                           const std::vector<std::string> &overrides);
+
+
+  /// What --calibrate shall do with a scene: its section "Calibration", which
+  /// used_parameters does not hold.
+  /// @throw InputError, FileError as read_scene()
+  Calibrate::CalibrationParameters
+  read_calibration(const std::string              &file_name,
+                   const std::vector<std::string> &overrides = {});
 
 
   /// How print_parameters() writes.

@@ -33,7 +33,6 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     MORSEL_INLINE void
     force_row(const BondedArrays    &a,
               const BondedConstants &c,
-              const double           time_step,
               const unsigned int     g,
               const unsigned int     offset)
     {
@@ -56,7 +55,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
       const double       h     = c.smoothing_length;
       [[maybe_unused]] V alpha = all(c.viscosity_alpha_c);
       V                  f_x{}, f_y{};
-      [[maybe_unused]] V g_x{}, g_y{}, power{};
+      [[maybe_unused]] V g_x{}, g_y{};
       const unsigned int near_end = conforming ? a.near_end[g] : a.slot_end[g];
       for (unsigned int s = a.slot_begin[g]; s < near_end; ++s)
         {
@@ -94,7 +93,6 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
                           (c.viscosity_beta * mu - alpha);
               g_x -= q * r_x;
               g_y -= q * r_y;
-              power -= q * vr;
             }
         }
 
@@ -115,11 +113,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
         {
           a_x += g_x;
           a_y += g_y;
-          // Half of each pair's power belongs to each of the two.
-          power *= 0.5 * time_step;
-          for (unsigned int l = 0; l < lanes; ++l)
-            if (l < row.n)
-              a.viscous_heat[row.first + l] += a.mass[row.first + l] * power[l];
+          scatter_pairs(row.to(a.viscous), row.n, g_x, g_y);
         }
       scatter_pairs(row.to(a.acceleration), row.n, a_x, a_y);
     }
@@ -129,7 +123,6 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     void
     force_loop(const BondedArrays    &a,
                const BondedConstants &c,
-               const double           time_step,
                const unsigned int     begin,
                const unsigned int     end)
     {
@@ -139,11 +132,15 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
             for (unsigned int i = g * group_size;
                  i < (g + 1) * group_size && i < a.n_owned;
                  ++i)
-              a.acceleration[i] = {0., 0.};
+              {
+                a.acceleration[i] = {0., 0.};
+                if constexpr (viscosity)
+                  a.viscous[i] = {0., 0.};
+              }
           }
         else
           for (unsigned int offset = 0; offset < group_size; offset += lanes)
-            force_row<viscosity, varying, kind>(a, c, time_step, g, offset);
+            force_row<viscosity, varying, kind>(a, c, g, offset);
     }
   } // namespace
 } // namespace Morsel::SPH::MORSEL_INSTRUCTION_SET

@@ -46,7 +46,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
       const GrainSize   own_size   = a.size[m];
       const double      own_mass   = a.mass[m];
       const V           alpha      = all(c.viscosity_alpha_c);
-      V                 f_x{}, f_y{}, damped{}, pressed{};
+      V                 f_x{}, f_y{}, g_x{}, g_y{}, pressed{};
       for (unsigned int k = a.start[n]; k < a.start[n + 1]; k += lanes)
         {
           const unsigned int *j = a.index + k;
@@ -71,7 +71,8 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           gather_pairs(neighbours_in(a.size, j), diameter, reference_area);
           const V q = own_mass * ((reference_area * weight) * mu *
                                   (c.viscosity_beta * mu - alpha));
-          damped -= q * vr;
+          g_x -= q * r_x;
+          g_y -= q * r_y;
 
           // V_i V_j (sigma_i + sigma_j) grad W between grains;
           // V_i V_j 2 sigma grad W where one of the two is live.
@@ -81,7 +82,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
 
           const V gap =
               smaller(r - smaller(diameter, all(own_size.diameter)), V{});
-          const V radial = c.contact_stiffness * gap * inverse_r - q;
+          const V radial = c.contact_stiffness * gap * inverse_r;
           pressed += gap * gap;
 
           f_x += w * ((own_stress.xx + s_xx) * r_x +
@@ -91,9 +92,11 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
                       (own_stress.yy + s_yy) * r_y) +
                  radial * r_y;
         }
-      return {sum(f_x),
-              sum(f_y),
-              sum(damped),
+      const double viscous_x = sum(g_x), viscous_y = sum(g_y);
+      return {sum(f_x) + viscous_x,
+              sum(f_y) + viscous_y,
+              viscous_x,
+              viscous_y,
               0.5 * c.contact_stiffness * sum(pressed)};
     }
 

@@ -71,12 +71,9 @@ namespace Morsel::SPH
     stored_energy() const;
 
     /// Energy turned into heat so far [J] by grain friction and by surface
-    /// friction and viscosity of unbonded pairs.
+    /// friction of unbonded pairs.
     double
     friction_heat() const;
-
-    double
-    viscous_heat() const;
 
     /// Cauchy stress of a failed particle [Pa].
     Materials::PlaneStrainStress
@@ -154,7 +151,7 @@ namespace Morsel::SPH
     std::vector<double>     ratio;      ///< rho / rho_0 [1]
     std::vector<Symmetric2> deviator;   ///< in plane, of the grains [Pa]
     std::vector<double>     energy;     ///< recoverable, of the grains [J]
-    std::vector<double>     grain_heat, pair_friction_heat, pair_viscous_heat;
+    std::vector<double>     grain_heat, pair_friction_heat;
     std::vector<double>     penalty_energy;
 
     // Unbonded pairs near each other, rebuilt when anything has moved far.

@@ -46,6 +46,14 @@ namespace Morsel::SPH
                  const Particles &particles,
                  double           time_step);
 
+  /// What artificial viscosity turned into heat until the time of the
+  /// displacements and accelerations [J], of the particles of this rank; 0
+  /// without it.
+  double
+  viscous_heat(const Leapfrog  &leapfrog,
+               const Particles &particles,
+               double           time_step);
+
   /// Momentum at the last half step [kg m/s], of the particles of this rank.
   Vector2
   half_step_momentum(const Particles &particles);

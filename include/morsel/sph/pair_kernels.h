@@ -39,7 +39,8 @@ namespace Morsel::SPH
     PairStress                   *pair_stress;
     Materials::PlaneStrainStress *effective;
     Vector2                      *acceleration;
-    double                       *viscous_heat, *driver;
+    Vector2                      *viscous; ///< acceleration by viscosity
+    double                       *driver;
     char                         *crushed;
     double                       *strongest; ///< of each group
     const Symmetric2 *fit; ///< least-squares matrix where shape is another one
@@ -92,7 +93,7 @@ namespace Morsel::SPH
   /// Sums over one row of the list of unbonded pairs.
   struct GrainForce
   {
-    double x, y, damped, pressed;
+    double x, y, viscous_x, viscous_y, pressed;
   };
 
 
@@ -153,7 +154,6 @@ namespace Morsel::SPH
                             unsigned int           end);
     using Force     = void (*)(const BondedArrays    &arrays,
                            const BondedConstants &constants,
-                           double                 time_step,
                            unsigned int           begin,
                            unsigned int           end);
     using Average   = void (*)(const BondedArrays    &arrays,

@@ -55,8 +55,9 @@ namespace Morsel::SPH
     /// from grain to grain (Materials::GrainField).
     std::vector<double> modulus;
 
-    /// Energy turned into heat by artificial viscosity so far [J], owned;
-    /// allocated only with viscosity.
+    // Owned, allocated only with viscosity or for a solid that can fail.
+    std::vector<Vector2> viscous; ///< acceleration by viscosity [m/s^2]
+    /// Energy that it turned into heat until the last half step [J].
     std::vector<double> viscous_heat;
 
     // Allocated only for a solid that can fail.

@@ -20,6 +20,11 @@ namespace Morsel::Study
     std::map<std::string, std::string> texts;
     Variables                          numbers;
 
+    /// What is varied beside the axes; empty: nothing, the run is a base.
+    std::string sensitivity;
+    std::string side;        ///< "low" or "high"
+    double      varied = 0.; ///< its value [unit of the entry]
+
     std::string folder; ///< name of its folder of results, unique
 
     /// "p1, n = 7", for people.
@@ -46,9 +51,27 @@ namespace Morsel::Study
   values_of(const Study &study, const Axis &axis);
 
 
+  /// "Section/Key = text; Section/Key" as overrides, formulas filled in.
+  /// @param path of the entry that holds the text, for messages
+  /// @param value what items without text get; nullptr: there must be none
+  /// @throw InputError
+  std::vector<std::string>
+  overrides_of(const Study       &study,
+               const std::string &path,
+               const std::string &entries,
+               const PlannedRun  &run,
+               const std::string *value);
+
+
+  /// A name for the folder of a run that any file system takes, with a hash
+  /// that makes it unique.
+  std::string
+  folder_name(const PlannedRun &run);
+
+
   /// All runs: for each series the product of its axes, of which the first
   /// varies slowest; an axis that goes together with another one adds no
-  /// factor.
+  /// factor. After them the variations of each for the sensitivities.
   /// @throw InputError for an axis without values, partners of different
   ///   length, formulas that are not understood
   std::vector<PlannedRun>

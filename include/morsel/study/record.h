@@ -53,6 +53,14 @@ namespace Morsel::Study
                    const std::vector<std::string> &overrides);
 
 
+  /// The values of a scene's entries by path, "Body food/Solid/CFL factor",
+  /// with those of the catalogue.
+  /// @throw InputError as scene_parameters()
+  std::map<std::string, std::string>
+  scene_values(const std::string              &scene_file,
+               const std::vector<std::string> &overrides);
+
+
   /// The scalars that a run left in its folder.
   /// @throw FileError if there are none
   Results

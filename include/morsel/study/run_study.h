@@ -53,9 +53,12 @@ namespace Morsel::Study
   run_study(const CommandLine &command_line);
 
 
+  /// @param what starts runs of its own, "A study"
+  /// @param section whose entry 'Side by side' says how many go at a time
   /// @throw InputError if the program was started by mpirun
   void
-  refuse_several_ranks();
+  refuse_several_ranks(const std::string &what    = "A study",
+                       const std::string &section = "Study");
 } // namespace Morsel::Study
 
 #endif

@@ -96,6 +96,22 @@ namespace Morsel::Study
   };
 
 
+  /// An entry that is varied by itself, all others as they are: section
+  /// "Sensitivity <name>".
+  struct Sensitivity
+  {
+    std::string name;
+    std::string label;
+    std::string entries; ///< as those of an axis
+    double      low      = 0.;
+    double      high     = 0.;
+    bool        relative = false;  ///< low and high are multiples of the base
+    std::string base;              ///< a number, or empty: the scene's
+    bool        numerical = false; ///< no property of what is simulated
+    std::string series;            ///< names, separated by commas; empty: all
+  };
+
+
   /// A figure of what the runs left: section "Figure <name>".
   struct Figure
   {
@@ -128,13 +144,16 @@ namespace Morsel::Study
     double       time_limit   = 0.; ///< [s], 0: none
     bool         keep_fields  = false;
     bool         quick        = false;
+    /// What numerical entries may change at most [1].
+    double numerical_bound = 0.03;
 
-    std::vector<Axis>     axes;
-    std::vector<Series>   series; ///< at least one
-    std::vector<Quantity> quantities;
-    std::vector<Relation> relations;
-    std::vector<Claim>    claims;
-    std::vector<Figure>   figures;
+    std::vector<Axis>        axes;
+    std::vector<Series>      series; ///< at least one
+    std::vector<Quantity>    quantities;
+    std::vector<Relation>    relations;
+    std::vector<Claim>       claims;
+    std::vector<Figure>      figures;
+    std::vector<Sensitivity> sensitivities;
 
     /// Where each entry stands, for messages.
     std::vector<ParameterEntry> entries;
