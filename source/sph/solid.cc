@@ -1,6 +1,5 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/parallel.h>
-#include <morsel/materials/grains.h>
 #include <morsel/sph/body_cloud.h>
 #include <morsel/sph/body_cracks.h>
 #include <morsel/sph/highest_frequency.h>
@@ -151,29 +150,6 @@ namespace Morsel::SPH
 
 
   void
-  Solid::scatter_modulus(const Scene::ParticleBody &body,
-                         const unsigned int         seed)
-  {
-    if (!body.grains.scatter_modulus())
-      return;
-    const Materials::GrainField grains(
-        body.grains, material.poissons_ratio, seed);
-    for (const dealii::Point<2> &x : particles.reference)
-      particles.modulus.push_back(grains.modulus_factor(x));
-  }
-
-
-  double
-  Solid::largest_modulus_factor() const
-  {
-    double largest = particles.modulus.empty() ? 1. : 0.;
-    for (const double f : particles.modulus)
-      largest = std::max(largest, f);
-    return host.maximum(largest);
-  }
-
-
-  void
   Solid::allocate(const Scene::ParticleBody &body)
   {
     const unsigned int n = particles.n_local;
@@ -312,14 +288,6 @@ namespace Morsel::SPH
         material,
         body.material.compressive_strength,
         {body.spacing * body.spacing * depth, body.spacing});
-    std::vector<double> strength;
-    if (body.grains.scatter_strength())
-      {
-        const Materials::GrainField grains(
-            body.grains, material.poissons_ratio, scene.seed);
-        for (const dealii::Point<2> &x : particles.reference)
-          strength.push_back(grains.strength_factor(x));
-      }
     fracture = std::make_unique<DamageEvolution>(
         particles,
         bonds,
@@ -331,7 +299,7 @@ namespace Morsel::SPH
         body.damage,
         scene.measures.friend_distance * particles.spacing,
         scene.seed,
-        strength);
+        strength_of_grains(body, scene.seed));
     granular = std::make_unique<Granular>(
         particles,
         bonds,

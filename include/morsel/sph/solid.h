@@ -165,6 +165,12 @@ namespace Morsel::SPH
     void
     scatter_modulus(const Scene::ParticleBody &body, unsigned int seed);
 
+    /// Strength of each particle's grain over the body's [1]; empty if they
+    /// do not differ.
+    std::vector<double>
+    strength_of_grains(const Scene::ParticleBody &body,
+                       unsigned int               seed) const;
+
     /// Over all ranks: by no more does the square of a frequency grow, since
     /// the energy of each particle does not.
     double
