@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(a_domain_that_is_not_given_encloses_the_bodies)
 BOOST_AUTO_TEST_CASE(unwise_choices_bring_advice)
 {
   const std::string across = "Body food/Particles/Particles across=";
-  BOOST_TEST(advises({across + "10"}, "only 10 particles thick"));
+  BOOST_TEST(advises({across + "18"}, "only 18 particles thick"));
   BOOST_TEST(advises({across + "2000"}, "GB of memory"));
   BOOST_TEST(
       advises({"Body upper plate/Motion/Velocity=0, -1"}, "not quasi-static"));
