@@ -44,7 +44,7 @@ namespace Morsel::Materials
     double fracture_energy = 0.; ///< G_c [J/m^2], 0: the range holds
     /// Of the field of thresholds with 'correlated' flaws [m].
     double correlation_length = 5e-4;
-    double threshold_factor = 1.; ///< c of the threshold rule r_i = c w_i/b
+    double threshold_factor   = 1.; ///< c of the threshold rule r_i = c w_i/b
     /// Tensile cut-off is off within this many spacings of loaded faces [1].
     double face_exclusion = 2.5;
     /// Driver from the stress averaged over undamaged neighbours.
