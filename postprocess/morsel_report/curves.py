@@ -91,9 +91,9 @@ def stress_over_strain(run):
                      lw=1.2)
         axes.annotate("prescribed strength "
                       + style.quantity(reference, "Pa", 4),
-                      (1, factor * reference), xycoords=("axes fraction",
+                      (0, factor * reference), xycoords=("axes fraction",
                                                          "data"),
-                      xytext=(-3, 4), textcoords="offset points", ha="right",
+                      xytext=(3, 4), textcoords="offset points", ha="left",
                       fontsize=9, color=style.RED)
     axes.set_xlabel("Nominal strain (closure over height) [%]")
     axes.set_ylabel(f"Nominal stress [{unit}]")

@@ -155,9 +155,17 @@ namespace Morsel::Materials
                    const Softened          &state,
                    const double             modulus_factor)
   {
+    // The deviator softens alone in compression, the strain becomes isochoric
+    // and the stress out of the plane rises, which would strengthen by up to
+    // 9 %. What counts is that of the elastic solid under this stress in the
+    // plane: the strength of a sample stays that of the driver.
+    const auto softened = [&](const double D) {
+      PlaneStrainStress sigma = soften(law.softening, stress, D);
+      sigma.zz = elasticity.poissons_ratio * (sigma.xx + sigma.yy);
+      return sigma;
+    };
     const auto driver_at = [&](const double D) {
-      return driver_value(
-          law, elasticity, soften(law.softening, stress, D), cut_off);
+      return driver_value(law, elasticity, softened(D), cut_off);
     };
     const double s = driver_at(state.damage);
     if (s <= r * (1. - state.used))
@@ -165,11 +173,9 @@ namespace Morsel::Materials
 
     // The strength of this direction is where the softened stress, scaled,
     // meets s = 1.
-    const double capacity =
-        law.range_at(r, modulus_factor) * r * r *
-        energy_density(elasticity,
-                       soften(law.softening, stress, state.damage)) /
-        (modulus_factor * s * s);
+    const double capacity = law.range_at(r, modulus_factor) * r * r *
+                            energy_density(elasticity, softened(state.damage)) /
+                            (modulus_factor * s * s);
     const double use_per_damage = energy / capacity;
     const auto   excess         = [&](const double D) {
       return driver_at(D) -
