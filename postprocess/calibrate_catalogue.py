@@ -16,7 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 CATALOGUE = ROOT / "data" / "materials.json"
 # What calibrates a kind of material: scene, its body, resolution of the runs.
 SCENES = {"food": ("prm/food/peanut.prm", "food", 51),
-          "rock": ("prm/rock/basalt.prm", "rock", 45)}
+          "rock": ("prm/rock/basalt.prm", "rock", 75)}
 # The closed-form rule as it is, so that old values of the catalogue do not
 # matter.
 START = 1.0

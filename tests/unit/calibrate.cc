@@ -171,6 +171,7 @@ BOOST_AUTO_TEST_CASE(the_tension_scene_gets_the_same_solid)
   command_line.overrides  = {"Calibration/Tensile strength=1e4",
                              "Calibration/Tension scene=../rock/basalt.prm",
                              "Body food/Damage/Weibull modulus=5",
+                             "Body food/Damage/Fracture energy=40",
                              "Calibration/Particles across=21"};
   const Problem problem   = read_problem(command_line);
   BOOST_TEST(problem.particles_across == 21u);
