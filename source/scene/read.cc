@@ -23,8 +23,7 @@ namespace Morsel::Scene
     {
     public:
       /// @param with_calibration whether there is a section "Calibration",
-      /// which
-      ///   is no part of a run.
+      ///   which is no part of a run.
       Declaration(const NamedParts &parts, bool with_calibration);
 
       /// Writes derived values back, so that the printed parameters

@@ -85,8 +85,8 @@ namespace Morsel::Materials
 
 
   /// Fills what is left open from a catalogue entry or, where that knows
-  /// nothing, with the program's defaults. Grady-Kipp growth
-  /// takes no fracture energy.
+  /// nothing, with the program's defaults. Fracture energy and threshold
+  /// factor were found with energy softening: other growths do not take them.
   /// @param entry nullptr: the defaults
   void
   complete(DamageParameters &damage, const CatalogueEntry *entry);

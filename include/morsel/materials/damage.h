@@ -49,8 +49,9 @@ namespace Morsel::Materials
     double    compressive_strength; ///< f_c [Pa]
     double    tensile_strength;     ///< f_t [Pa]
     double    softening_range;      ///< threshold multiple where D = 1 [1]
-    /// Product of the threshold and of the driver value where D = 1, from the
-    /// fracture energy; 0 where the softening range holds [1].
+    /// Product of the threshold and of the driver value where D = 1, R r^2 =
+    /// 2 E' G_c/(f_t^2 w) (crack band, doc/theory.md, section 3); 0 where the
+    /// softening range holds [1].
     double end_times_threshold = 0.;
     /// Grady-Kipp rate of D^(1/3) at s equal to the scale r0 [1/s].
     double growth_rate;
@@ -69,8 +70,8 @@ namespace Morsel::Materials
     /// Softening as steep as it may be: D = 1 at this multiple of r.
     static constexpr double least_range = 1.01;
 
-    /// @param particle its volume enters the Grady-Kipp rate alone, its
-    /// spacing the softening with a fracture energy.
+    /// @param particle its volume enters the rates of Grady-Kipp growth alone,
+    /// its spacing the softening with a fracture energy.
     /// Throws InputError where the combination makes no sense.
     DamageLaw(const DamageParameters &parameters,
               const Elasticity       &elasticity,
