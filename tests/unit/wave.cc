@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(momentum_in_free_flight)
 BOOST_AUTO_TEST_CASE(energy_of_noise_is_conserved_or_becomes_heat)
 {
   // The hardest case: all frequencies alike. What leapfrog's energy misses
-  // falls with the square of the step, the heat's quadrature with the step.
+  // and the quadrature of the heat fall with the square of the step.
   for (const auto &[viscosity, scatter] : {std::pair("off", 0.),
                                            std::pair("on", 0.),
                                            std::pair("off", 0.2),
