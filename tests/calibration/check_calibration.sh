@@ -35,7 +35,7 @@ grep -q '"damage": {"threshold_factor":'"$factor" 1.log ||
 
 # A plain run with the factor gives what was told for its seed.
 "$morsel" "$scene" --output plain --set Output/Fields=false \
-  --set "Body food/Particles/Particles across=15" \
+  --set "Body food/Particles/Particles across=17" \
   --set "Body food/Damage/Threshold factor=$factor" >2.log 2>&1 ||
   complain "the plain run failed"
 [ "$(value_of "abs(json.load(open('plain/summary.json'))['compressive_strength']['value']
