@@ -1,6 +1,9 @@
 #include "bite.h"
+#include "elastic_plates.h"
 
 #include <morsel/core/errors.h>
+#include <morsel/jaw/dynamic_deformation.h>
+#include <morsel/jaw/quasi_static_deformation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,25 +39,104 @@ namespace Morsel
   {
     for (const auto &body : scene.particle_bodies)
       solids.push_back(std::make_unique<SPH::Solid>(body, scene, communicator));
+    std::vector<std::unique_ptr<FE::ElasticBody>> elastic;
     for (const auto &body : scene.rigid_bodies)
-      plates.emplace_back(body,
-                          body.node_spacing > 0.
-                              ? body.node_spacing
-                              : 0.5 * scene.particle_bodies.front().spacing);
+      {
+        elastic.emplace_back();
+        if (body.deformation.elastic)
+          {
+            elastic.back() = make_elastic_body(scene, body);
+            plates.emplace_back(body, *elastic.back());
+          }
+        else
+          plates.emplace_back(body,
+                              body.node_spacing > 0.
+                                  ? body.node_spacing
+                                  : 0.5 *
+                                        scene.particle_bodies.front().spacing);
+      }
+    plate_frequencies.assign(plates.size(), 0.);
+    responses.assign(plates.size(), "rigid");
     for (const auto &pair : scene.contact_pairs)
       {
         const unsigned int s = index_of(scene.particle_bodies, pair.food);
+        const unsigned int p = index_of(scene.rigid_bodies, pair.plate);
         pairs.push_back({s,
-                         index_of(scene.rigid_bodies, pair.plate),
-                         Contact::make_plate_contact(scene.contact,
-                                                     solids[s]->contact_side(),
-                                                     solids[s]->get_edges())});
+                         p,
+                         Contact::make_plate_contact(
+                             scene.contact,
+                             solids[s]->contact_side(),
+                             solids[s]->get_edges(),
+                             scene.rigid_bodies[p].deformation.elastic)});
       }
     find_closing_axis();
 
     dt = stable_time_step();
     if (scene.time.time_step > 0.)
       dt = scene.time.time_step;
+    set_up_deformations(std::move(elastic));
+  }
+
+
+  void
+  Bite::set_up_deformations(
+      std::vector<std::unique_ptr<FE::ElasticBody>> &&elastic)
+  {
+    std::vector<Jaw::DynamicDeformation *> dynamic(plates.size(), nullptr);
+    for (unsigned int p = 0; p < plates.size(); ++p)
+      {
+        if (!elastic[p])
+          continue;
+        const auto choice = choose_response(
+            scene,
+            plates[p].body,
+            *elastic[p],
+            dealii::Utilities::MPI::n_mpi_processes(communicator));
+        responses[p] = choice.response;
+        log << "Body '" << plates[p].body.name << "', " << elastic[p]->n_cells()
+            << " cells: " << choice.response << ", since " << choice.reason
+            << ".\n";
+        if (choice.response == "quasi-static")
+          plates[p].set_deformation(
+              std::make_unique<Jaw::QuasiStaticDeformation>(
+                  std::move(elastic[p])));
+        else if (choice.response == "dynamic")
+          {
+            auto deformation = std::make_unique<Jaw::DynamicDeformation>(
+                std::move(elastic[p]),
+                plates[p].body.deformation.initial_velocity,
+                dt,
+                communicator);
+            dynamic[p] = deformation.get();
+            plates[p].set_deformation(std::move(deformation));
+          }
+        deforms = deforms || plates[p].get_deformation() != nullptr;
+      }
+
+    // The shorter the step, the less a body's stiffness resists its surface's
+    // motion on the springs of contact.
+    for (double last = 0.; deforms && dt != last;)
+      {
+        last = dt;
+        for (const auto &pair : pairs)
+          if (auto *const d = dynamic[pair.plate])
+            {
+              d->set_time_step(dt);
+              plate_frequencies[pair.plate] =
+                  std::max(plate_frequencies[pair.plate],
+                           d->contact_frequency(
+                               pair.contact->stiffness() /
+                                   solids[pair.solid]->contact_side().spacing,
+                               plates[pair.plate].surface.tributary));
+            }
+        const double stable = stable_time_step();
+        if (scene.time.time_step == 0. && stable < 0.99 * dt)
+          dt = stable;
+        else if (scene.time.time_step > stable)
+          log.warning("'Time/Time step' exceeds the stable step " +
+                      std::to_string(1e9 * stable) +
+                      " ns of the elastic bodies' contact.");
+      }
   }
 
 
@@ -67,7 +149,10 @@ namespace Morsel
         double stiffness = 0.;
         for (const auto &pair : pairs)
           if (pair.solid == s)
-            stiffness = std::max(stiffness, pair.contact->stiffness());
+            stiffness = std::max(stiffness,
+                                 pair.contact->stiffness() +
+                                     plate_frequencies[pair.plate] *
+                                         solids[s]->contact_side().mass);
         smallest = std::min(smallest, solids[s]->stable_time_step(stiffness));
       }
     return smallest;
@@ -105,20 +190,49 @@ namespace Morsel
         solid->add_grain_forces(dt);
     }
     const auto timer = log.section("contact with plates");
+    for (unsigned int p = 0; p < plates.size(); ++p)
+      if (plates[p].settles())
+        settle(p);
     for (auto &pair : pairs)
-      {
-        SPH::Solid &solid     = *solids[pair.solid];
-        const auto &particles = solid.get_particles();
-        solid.apply_forces(pair.contact->compute(particles.reference,
-                                                 particles.motion,
-                                                 particles.n_owned,
-                                                 dt,
-                                                 plates[pair.plate].surface));
-      }
+      solids[pair.solid]->apply_forces(plates[pair.plate].settles()
+                                           ? pair.contact->last_forces()
+                                           : press(pair));
     for (auto &plate : plates)
-      plate.account(steps == 0 ? 0.5 * dt : dt);
+      plate.account(steps == 0 ? 0.5 * dt : dt, dt);
     if (steps % steps_between_face_marks == 0)
       mark_loaded_faces();
+  }
+
+
+  const std::vector<ParticleForce> &
+  Bite::press(Pair &pair)
+  {
+    const auto &particles = solids[pair.solid]->get_particles();
+    return pair.contact->compute(particles.reference,
+                                 particles.motion,
+                                 particles.n_owned,
+                                 dt,
+                                 plates[pair.plate].surface);
+  }
+
+
+  void
+  Bite::settle(const unsigned int plate)
+  {
+    std::vector<const Contact::Touches *> touches;
+    for (auto &pair : pairs)
+      if (pair.plate == plate)
+        {
+          press(pair);
+          touches.push_back(&pair.contact->touches());
+        }
+    while (!plates[plate].settle(touches))
+      for (auto &pair : pairs)
+        if (pair.plate == plate)
+          pair.contact->compute_again(
+              solids[pair.solid]->get_particles().motion,
+              dt,
+              plates[plate].surface);
   }
 
 
@@ -149,9 +263,13 @@ namespace Morsel
       for (auto &solid : solids)
         solid->advance(dt);
     }
-    const auto timer = log.section("failed food");
-    for (auto &solid : solids)
-      solid->advance_grains(dt);
+    {
+      const auto timer = log.section("failed food");
+      for (auto &solid : solids)
+        solid->advance_grains(dt);
+    }
+    for (auto &plate : plates)
+      plate.advance(dt);
     now = ++steps * dt;
   }
 
@@ -208,20 +326,29 @@ namespace Morsel
         e.dissipated_bonds += s.bond_heat;
         e.dissipated_granular_friction += s.friction_heat;
       }
-    double contact[3] = {0., 0., 0.};
+    double contact[5] = {0., 0., 0., 0., 0.};
     for (const auto &pair : pairs)
       {
         contact[0] += pair.contact->stored_energy();
         contact[1] += pair.contact->friction_heat();
       }
     for (const auto &plate : plates)
-      contact[2] += plate.work();
-    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(contact, 3),
+      {
+        contact[2] += plate.work();
+        if (const auto *const deformation = plate.get_deformation())
+          {
+            contact[3] += deformation->strain_energy();
+            contact[4] += deformation->kinetic_energy();
+          }
+      }
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(contact, 5),
                                 communicator,
-                                dealii::ArrayView<double>(contact, 3));
+                                dealii::ArrayView<double>(contact, 5));
     e.contact             = contact[0];
     e.dissipated_friction = contact[1];
     e.external_work       = contact[2];
+    e.plate_strain        = contact[3];
+    e.plate_kinetic       = contact[4];
     return e;
   }
 
@@ -229,7 +356,12 @@ namespace Morsel
   dealii::Tensor<1, 2>
   Bite::momentum() const
   {
-    return SPH::total_momentum(solids);
+    auto sum = SPH::total_momentum(solids);
+    for (const auto &plate : plates)
+      if (const auto *const deformation = plate.get_deformation())
+        sum +=
+            dealii::Utilities::MPI::sum(deformation->momentum(), communicator);
+    return sum;
   }
 
 
