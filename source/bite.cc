@@ -69,12 +69,11 @@ namespace Morsel
                              solids[s]->get_edges(),
                              scene.rigid_bodies[p].deformation.elastic)});
       }
-    find_closing_axis();
-
     dt = stable_time_step();
     if (scene.time.time_step > 0.)
       dt = scene.time.time_step;
     set_up_deformations(std::move(elastic));
+    find_closing_axis();
   }
 
 
@@ -170,6 +169,10 @@ namespace Morsel
             largest = std::abs(plate.body.motion.velocity[d]);
             axis    = d;
           }
+    // The food may fly into a body that is free.
+    const auto &flight = scene.particle_bodies.front().initial_velocity;
+    if (deforms && largest == 0.)
+      axis = std::abs(flight[0]) > std::abs(flight[1]) ? 0 : 1;
   }
 
 

@@ -143,7 +143,7 @@ namespace Morsel
                        "': the response 'quasi-static' works on one rank only; "
                        "take 'dynamic' on several.");
     if (given.response != "auto")
-      return {given.response, "as the scene says"};
+      return {given.response, "the scene says so"};
     if (!body.is_held())
       return {"dynamic", "nothing holds it"};
 

@@ -8,7 +8,9 @@ namespace Morsel::Jaw
   namespace
   {
     /// Of the displacement: far below what the contact's energy shows.
-    constexpr double       tolerance            = 1e-9;
+    constexpr double tolerance = 1e-9;
+    /// Of the coordinates, whose last digits gaps cannot know.
+    constexpr double       round_off            = 1e-14;
     constexpr unsigned int most_attempts        = 60;
     constexpr unsigned int attempts_before_half = 15;
     /// A matrix is kept while it reduces the residual by this.
@@ -25,6 +27,8 @@ namespace Morsel::Jaw
   {
     w = force = settled_last = rate =
         Eigen::VectorXd::Zero(2 * body->surface_nodes().size());
+    for (const auto &node : body->surface_nodes())
+      least_difference = std::max(least_difference, round_off * node.norm());
   }
 
 
@@ -125,7 +129,7 @@ namespace Morsel::Jaw
     const double          residual = (answer - w).lpNorm<Eigen::Infinity>();
     const double          scale =
         std::max(answer.lpNorm<Eigen::Infinity>(), w.lpNorm<Eigen::Infinity>());
-    if (residual <= tolerance * scale)
+    if (residual <= std::max(tolerance * scale, least_difference))
       {
         force   = f;
         attempt = 0;

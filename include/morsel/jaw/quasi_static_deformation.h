@@ -95,8 +95,9 @@ namespace Morsel::Jaw
     std::vector<int>                     place;   ///< in touched, or -1
     Eigen::MatrixXd                      contact_stiffness;
     Eigen::PartialPivLU<Eigen::MatrixXd> matrix; ///< I + C K_contact
-    unsigned int                         attempt       = 0;
-    double                               last_residual = 0.;
+    double                               least_difference = 0.; ///< [m]
+    unsigned int                         attempt          = 0;
+    double                               last_residual    = 0.;
     unsigned long long                   iterations = 0, matrices = 0;
   };
 } // namespace Morsel::Jaw
