@@ -92,7 +92,7 @@ namespace Morsel
           press(pair);
           touches.push_back(&pair.contact->touches());
         }
-    while (!plates[plate].settle(touches))
+    while (!plates[plate].settle(touches, dt))
       for (auto &pair : pairs)
         if (pair.plate == plate)
           pair.contact->compute_again(

@@ -1,6 +1,5 @@
 #include "elastic_plates.h"
 
-#include <morsel/core/errors.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/fe/plate_mesh.h>
 #include <morsel/scene/mesh.h>
@@ -114,11 +113,6 @@ namespace Morsel
       }
     else
       Scene::read_mesh(given.mesh_file, *mesh);
-    if (!mesh->all_reference_cells_are_hyper_cube())
-      throw InputError("Body '" + plate.name + "': the mesh '" +
-                       given.mesh_file +
-                       "' has triangles; an elastic body is made of "
-                       "quadrilaterals (in Gmsh: 'Recombine Surface').");
 
     FE::ElasticBodyProperties properties;
     properties.youngs_modulus = given.youngs_modulus;
@@ -138,10 +132,6 @@ namespace Morsel
                   const unsigned int      n_ranks)
   {
     const auto &given = plate.deformation;
-    if (given.response == "quasi-static" && n_ranks > 1)
-      throw InputError("Body '" + plate.name +
-                       "': the response 'quasi-static' works on one rank only; "
-                       "take 'dynamic' on several.");
     if (given.response != "auto")
       return {given.response, "the scene says so"};
     if (!body.is_held())

@@ -11,7 +11,6 @@
 namespace Morsel
 {
   /// The finite elements of an elastic plate.
-  /// @throws InputError if its mesh has cells other than quadrilaterals
   std::unique_ptr<FE::ElasticBody>
   make_elastic_body(const Scene::Scene &scene, const Scene::RigidBody &plate);
 

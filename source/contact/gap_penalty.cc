@@ -219,7 +219,7 @@ namespace Morsel::Contact
       return {};
 
     const unsigned int first = touching.shares.size();
-    touching.list.push_back({foot.normal, stiffness_of(i), first, first});
+    touching.list.push_back({foot.normal, stiffness_of(i), 0., first, first});
     const auto n = share_over_width(surface, facet, foot, 0.5 * width);
     touching.list.back().normal = n;
     dealii::Point<2>     mean;
@@ -239,9 +239,13 @@ namespace Morsel::Contact
       }
     const double k          = stiffness_of(i);
     const auto   v_relative = v - v_surface;
-    const auto   f =
-        -k * gap * n +
-        friction(-k * gap, v_relative - (v_relative * n) * n, time_step);
+    const auto   slip       = v_relative - (v_relative * n) * n;
+    const auto   rubbing    = friction(-k * gap, slip, time_step);
+    const auto   f          = -k * gap * n + rubbing;
+    // What stops a slip is proportional to it.
+    const double most = parameters.friction * -k * gap;
+    if (most > 0. && rubbing.norm() < (1. - 1e-12) * most)
+      touching.list.back().sticking = sticking_rate(time_step) / time_step;
     for (unsigned int s = first; s < touching.shares.size(); ++s)
       surface.force[touching.shares[s].first] -= touching.shares[s].second * f;
     energy += 0.5 * k * gap * gap;

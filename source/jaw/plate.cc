@@ -47,9 +47,10 @@ namespace Morsel::Jaw
 
 
   bool
-  Plate::settle(const std::vector<const Contact::Touches *> &touches)
+  Plate::settle(const std::vector<const Contact::Touches *> &touches,
+                const double                                 time_step)
   {
-    if (deformation->settle(surface, touches))
+    if (deformation->settle(surface, touches, time_step))
       return true;
     for (auto &f : surface.force)
       f = 0.;

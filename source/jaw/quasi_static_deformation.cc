@@ -108,8 +108,9 @@ namespace Morsel::Jaw
               for (unsigned int d = 0; d < 2; ++d)
                 contact_stiffness(2 * place[list->shares[i].first] + c,
                                   2 * place[list->shares[j].first] + d) +=
-                    t.stiffness * list->shares[i].second *
-                    list->shares[j].second * t.normal[c] * t.normal[d];
+                    list->shares[i].second * list->shares[j].second *
+                    ((t.stiffness - t.sticking) * t.normal[c] * t.normal[d] +
+                     (c == d ? t.sticking : 0.));
     Eigen::MatrixXd C(n, n);
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
@@ -120,7 +121,8 @@ namespace Morsel::Jaw
 
   bool
   QuasiStaticDeformation::settle(Contact::Surface &surface,
-                                 const TouchLists &touches)
+                                 const TouchLists &touches,
+                                 const double      time_step)
   {
     ++iterations;
     const Eigen::VectorXd f = nodal_forces(surface);
@@ -166,7 +168,11 @@ namespace Morsel::Jaw
     last_residual = residual;
     for (unsigned int k = 0; k < surface.nodes.size(); ++k)
       for (unsigned int d = 0; d < 2; ++d)
-        surface.nodes[k][d] += next[2 * k + d] - w[2 * k + d];
+        {
+          const double change = next[2 * k + d] - w[2 * k + d];
+          surface.nodes[k][d] += change;
+          surface.velocity[k][d] += change / time_step;
+        }
     w = next;
     return false;
   }

@@ -2,6 +2,7 @@
 #include <morsel/scene/findings.h>
 #include <morsel/scene/mesh.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -20,11 +21,19 @@ namespace Morsel::Scene
                      Findings                       &findings)
     {
       std::vector<std::string> sides = {"left", "right", "bottom", "top"};
-      if (!body.deformation.mesh_file.empty())
+      const std::string       &file  = body.deformation.mesh_file;
+      if (!file.empty())
         {
           sides.clear();
-          for (const auto &side : sides_of_mesh(body.deformation.mesh_file))
+          for (const auto &side : sides_of_mesh(file))
             sides.push_back(side.first);
+          dealii::Triangulation<2> mesh;
+          read_mesh(file, mesh);
+          if (!mesh.all_reference_cells_are_hyper_cube())
+            findings.mistake("Body " + body.name + "/Deformation/Mesh file",
+                             "the mesh has triangles; an elastic body is made "
+                             "of quadrilaterals, in Gmsh by 'Recombine "
+                             "Surface'.");
         }
       const std::string path = "Body " + body.name + "/Deformation/Held sides";
       for (const std::string &name : held)
@@ -65,6 +74,11 @@ namespace Morsel::Scene
         findings.mistake(section + "Response",
                          "a body without inertia needs 'Contact/Law' = 'gap "
                          "penalty'; or take 'dynamic'.");
+      if (given.response == "quasi-static" &&
+          dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+        findings.mistake(section + "Response",
+                         "a body without inertia works on one rank only; take "
+                         "'dynamic' on several.");
     }
   } // namespace
 

@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_crosses_the_contact_exactly)
         Contact::AveragedGap        contact(law, row_of(dp), {});
         contact.compute(x, motion, n, 1e-7, surface);
         unsigned int rounds = 0;
-        while (!deformation.settle(surface, {&contact.touches()}))
+        while (!deformation.settle(surface, {&contact.touches()}, 1e-7))
           {
             for (auto &f : surface.force)
               f = 0.;

@@ -112,6 +112,13 @@ namespace Morsel::Contact
              const dealii::Tensor<1, 2> &slip,
              double                      time_step);
 
+    /// Friction over slip where it stops a particle within the step [N s/m].
+    double
+    sticking_rate(const double time_step) const
+    {
+      return 0.5 * side.mass / time_step;
+    }
+
     const ContactParameters parameters;
     const ParticleSide      side;
     const double            range; ///< [m], nothing acts beyond it

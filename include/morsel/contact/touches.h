@@ -8,14 +8,16 @@
 
 namespace Morsel::Contact
 {
-  /// The particles that press on a surface, and how the forces change when its
-  /// nodes move: by -stiffness normal (normal . sum_k share_k du_k) each.
+  /// The particles that press on a surface, and how the forces on it change
+  /// when its nodes move: by -(stiffness n n^T + sticking t t^T) sum_k share_k
+  /// du_k each, n the normal, t the tangent.
   struct Touches
   {
     struct Touch
     {
       dealii::Tensor<1, 2> normal;      ///< unit, out of the surface
       double               stiffness;   ///< [N/m]
+      double               sticking;    ///< of friction, 0 if it slides [N/m]
       unsigned int         first, last; ///< of the shares, [first, last)
     };
 

@@ -45,9 +45,12 @@ namespace Morsel::Jaw
 
     /// Takes the forces on the surface as they are. If the body is not in
     /// equilibrium with them, moves the surface's nodes nearer to it.
+    /// @param time_step since the last equilibrium [s]
     /// @throws NumericalError where that does not converge
     virtual bool
-    settle(Contact::Surface &, const std::vector<const Contact::Touches *> &)
+    settle(Contact::Surface & /*surface*/,
+           const std::vector<const Contact::Touches *> & /*touches*/,
+           double /*time_step*/)
     {
       return true;
     }

@@ -45,7 +45,8 @@ namespace Morsel::Jaw
     /// See Deformation::settle(). If it says no, contact has to be computed
     /// anew on the surface, whose forces are cleared.
     bool
-    settle(const std::vector<const Contact::Touches *> &touches);
+    settle(const std::vector<const Contact::Touches *> &touches,
+           double                                       time_step);
 
     /// Takes the forces on the surface into account: work done by the drive
     /// since the last call (trapezoidal rule) and impulse given by it over

@@ -30,7 +30,8 @@ namespace Morsel::Jaw
 
     bool
     settle(Contact::Surface                            &surface,
-           const std::vector<const Contact::Touches *> &touches) override;
+           const std::vector<const Contact::Touches *> &touches,
+           double                                       time_step) override;
 
     /// A body without mass passes on what it gets.
     dealii::Tensor<1, 2>
