@@ -204,6 +204,29 @@ namespace Morsel::Contact
   }
 
 
+  dealii::Tensor<2, 2>
+  AveragedGap::tangent(const double                k,
+                       const double                normal_force,
+                       const dealii::Tensor<1, 2> &normal,
+                       const dealii::Tensor<1, 2> &rubbing,
+                       const double                time_step) const
+  {
+    auto         K    = k * outer_product(normal, normal);
+    const double most = parameters.friction * normal_force;
+    if (most <= 0.)
+      return K;
+    // What stops a slip is proportional to it; sliding goes by the pressure.
+    if (rubbing.norm() < (1. - 1e-12) * most)
+      {
+        const dealii::Tensor<1, 2> along({-normal[1], normal[0]});
+        K += sticking_rate(time_step) / time_step * outer_product(along, along);
+      }
+    else
+      K += k / normal_force * outer_product(rubbing, normal);
+    return K;
+  }
+
+
   dealii::Tensor<1, 2>
   AveragedGap::press(const dealii::Point<2>     &x,
                      const dealii::Tensor<1, 2> &v,
@@ -219,10 +242,9 @@ namespace Morsel::Contact
       return {};
 
     const unsigned int first = touching.shares.size();
-    touching.list.push_back({foot.normal, stiffness_of(i), 0., first, first});
-    const auto n = share_over_width(surface, facet, foot, 0.5 * width);
-    touching.list.back().normal = n;
-    dealii::Point<2>     mean;
+    touching.list.push_back({{}, first, first});
+    const auto       n = share_over_width(surface, facet, foot, 0.5 * width);
+    dealii::Point<2> mean;
     dealii::Tensor<1, 2> v_surface;
     for (unsigned int s = first; s < touching.shares.size(); ++s)
       {
@@ -242,10 +264,8 @@ namespace Morsel::Contact
     const auto   slip       = v_relative - (v_relative * n) * n;
     const auto   rubbing    = friction(-k * gap, slip, time_step);
     const auto   f          = -k * gap * n + rubbing;
-    // What stops a slip is proportional to it.
-    const double most = parameters.friction * -k * gap;
-    if (most > 0. && rubbing.norm() < (1. - 1e-12) * most)
-      touching.list.back().sticking = sticking_rate(time_step) / time_step;
+    touching.list.back().stiffness =
+        tangent(k, -k * gap, n, rubbing, time_step);
     for (unsigned int s = first; s < touching.shares.size(); ++s)
       surface.force[touching.shares[s].first] -= touching.shares[s].second * f;
     energy += 0.5 * k * gap * gap;

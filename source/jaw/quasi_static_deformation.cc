@@ -9,7 +9,8 @@ namespace Morsel::Jaw
   {
     /// Of the displacement: far below what the contact's energy shows.
     constexpr double tolerance = 1e-9;
-    /// Of the coordinates, whose last digits gaps cannot know.
+    /// Of the coordinates, whose last digits gaps cannot know, times what the
+    /// body makes of a gap.
     constexpr double       round_off            = 1e-14;
     constexpr unsigned int most_attempts        = 60;
     constexpr unsigned int attempts_before_half = 15;
@@ -109,13 +110,14 @@ namespace Morsel::Jaw
                 contact_stiffness(2 * place[list->shares[i].first] + c,
                                   2 * place[list->shares[j].first] + d) +=
                     list->shares[i].second * list->shares[j].second *
-                    ((t.stiffness - t.sticking) * t.normal[c] * t.normal[d] +
-                     (c == d ? t.sticking : 0.));
+                    t.stiffness[c][d];
     Eigen::MatrixXd C(n, n);
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
         C(i, j) = compliance[touched[j / 2]][j % 2][2 * touched[i / 2] + i % 2];
-    matrix.compute(Eigen::MatrixXd::Identity(n, n) + C * contact_stiffness);
+    const Eigen::MatrixXd CK = C * contact_stiffness;
+    amplification = n > 0 ? CK.cwiseAbs().rowwise().sum().maxCoeff() : 0.;
+    matrix.compute(Eigen::MatrixXd::Identity(n, n) + CK);
   }
 
 
@@ -131,7 +133,8 @@ namespace Morsel::Jaw
     const double          residual = (answer - w).lpNorm<Eigen::Infinity>();
     const double          scale =
         std::max(answer.lpNorm<Eigen::Infinity>(), w.lpNorm<Eigen::Infinity>());
-    if (residual <= std::max(tolerance * scale, least_difference))
+    if (residual <=
+        std::max(tolerance * scale, (1. + amplification) * least_difference))
       {
         force   = f;
         attempt = 0;
@@ -140,8 +143,10 @@ namespace Morsel::Jaw
     if (++attempt > most_attempts)
       throw NumericalError(
           "The elastic body '" + surface.name +
-          "' finds no equilibrium with the forces of contact: take another "
-          "'Deformation/Response', or a lower 'Contact/Stiffness'.");
+          "' finds no equilibrium with the forces of contact and friction: "
+          "take "
+          "'Deformation/Response' = 'dynamic', which suits bodies as soft as "
+          "the food");
 
     Eigen::VectorXd next = answer;
     if (!covers(touches) ||

@@ -107,6 +107,14 @@ namespace Morsel::Contact
                      const Projection &foot,
                      double            half_width);
 
+    /// How the force on the surface falls as it moves [N/m].
+    dealii::Tensor<2, 2>
+    tangent(double                      k,
+            double                      normal_force,
+            const dealii::Tensor<1, 2> &normal,
+            const dealii::Tensor<1, 2> &rubbing,
+            double                      time_step) const;
+
     Touches                   touching;
     std::vector<unsigned int> next, previous; ///< facets, by facet
   };

@@ -9,15 +9,12 @@
 namespace Morsel::Contact
 {
   /// The particles that press on a surface, and how the forces on it change
-  /// when its nodes move: by -(stiffness n n^T + sticking t t^T) sum_k share_k
-  /// du_k each, n the normal, t the tangent.
+  /// when its nodes move: by -stiffness sum_k share_k du_k each.
   struct Touches
   {
     struct Touch
     {
-      dealii::Tensor<1, 2> normal;      ///< unit, out of the surface
-      double               stiffness;   ///< [N/m]
-      double               sticking;    ///< of friction, 0 if it slides [N/m]
+      dealii::Tensor<2, 2> stiffness;   ///< [N/m]
       unsigned int         first, last; ///< of the shares, [first, last)
     };
 

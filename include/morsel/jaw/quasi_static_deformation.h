@@ -97,9 +97,10 @@ namespace Morsel::Jaw
     Eigen::MatrixXd                      contact_stiffness;
     Eigen::PartialPivLU<Eigen::MatrixXd> matrix; ///< I + C K_contact
     double                               least_difference = 0.; ///< [m]
-    unsigned int                         attempt          = 0;
-    double                               last_residual    = 0.;
-    unsigned long long                   iterations = 0, matrices = 0;
+    double             amplification = 0.; ///< largest row sum of C K_contact
+    unsigned int       attempt       = 0;
+    double             last_residual = 0.;
+    unsigned long long iterations = 0, matrices = 0;
   };
 } // namespace Morsel::Jaw
 
