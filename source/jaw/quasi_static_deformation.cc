@@ -146,7 +146,7 @@ namespace Morsel::Jaw
           "' finds no equilibrium with the forces of contact and friction: "
           "take "
           "'Deformation/Response' = 'dynamic', which suits bodies as soft as "
-          "the food");
+          "the food.");
 
     Eigen::VectorXd next = answer;
     if (!covers(touches) ||
