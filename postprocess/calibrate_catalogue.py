@@ -14,9 +14,10 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CATALOGUE = ROOT / "data" / "materials.json"
-# What calibrates a kind of material: scene, its body, resolution of the runs.
-SCENES = {"food": ("prm/food/peanut.prm", "food", 51),
-          "rock": ("prm/rock/basalt.prm", "rock", 75)}
+# What calibrates a kind of material: scene, its body, resolution of the runs,
+# seeds.
+SCENES = {"food": ("prm/food/peanut.prm", "food", 51, 3),
+          "rock": ("prm/rock/basalt.prm", "rock", 150, 1)}
 # The closed-form rule as it is, so that old values of the catalogue do not
 # matter.
 START = 1.0
@@ -24,7 +25,7 @@ START = 1.0
 
 def calibrate(material, arguments):
     """Runs the calibration of a material; its object "damage", or None."""
-    scene, body, across = SCENES[material["kind"]]
+    scene, body, across, seeds = SCENES[material["kind"]]
     folder = arguments.output / material["name"].replace(" ", "_")
     command = [
         str(arguments.morsel.resolve()), "--calibrate", scene,
@@ -32,6 +33,7 @@ def calibrate(material, arguments):
         "--set", f"Body {body}/Material/Name={material['name']}",
         "--set", f"Body {body}/Damage/Threshold factor={START}",
         "--set", f"Calibration/Particles across={across}",
+        "--set", f"Calibration/Seeds={seeds}",
         *arguments.options]
     print(f"{material['name']}: {' '.join(command)}", flush=True)
     status = subprocess.run(command, cwd=ROOT, check=False).returncode

@@ -2,6 +2,7 @@
 #include "breaking_recorder.h"
 
 #include <morsel/core/errors.h>
+#include <morsel/scene/complete.h>
 
 #include <algorithm>
 #include <cmath>
@@ -120,15 +121,16 @@ namespace Morsel
     double
     interesting_time(const Scene::Scene &scene, const unsigned int axis)
     {
-      const double speed = closing_speed(scene, axis);
-      double       ramp  = 0.;
+      const double speed  = closing_speed(scene, axis);
+      double       behind = 0.;
       for (const auto &plate : scene.rigid_bodies)
-        ramp = std::max(ramp, plate.motion.ramp_time);
-      return speed > 0. ? std::min(scene.time.end_time,
-                                   2. * (expected_failure_closure(scene, axis) /
-                                             speed +
-                                         0.5 * ramp))
-                        : scene.time.end_time;
+        behind += std::abs(plate.motion.velocity[axis]) * plate.motion.delay();
+      return speed > 0.
+                 ? std::min(
+                       scene.time.end_time,
+                       2. * (expected_failure_closure(scene, axis) + behind) /
+                           speed)
+                 : scene.time.end_time;
     }
   } // namespace
 
@@ -158,13 +160,10 @@ namespace Morsel
   double
   expected_failure_closure(const Scene::Scene &scene, const unsigned int axis)
   {
-    const auto  &body   = scene.particle_bodies.front();
-    const double height = body.shape.extent(axis);
-    if (!body.damage.enabled)
-      return scene.stop.maximum_closure * height;
-    const double nu = body.material.poissons_ratio;
-    return body.material.compressive_strength * (1. - nu * nu) /
-           body.material.youngs_modulus * height;
+    const auto &body = scene.particle_bodies.front();
+    return body.damage.enabled
+               ? Scene::expected_failure_closure(body, axis)
+               : scene.stop.maximum_closure * body.shape.extent(axis);
   }
 
 

@@ -22,7 +22,9 @@ namespace Morsel
     struct Course
     {
       double speed = 0.; ///< [m/s]
-      double ramp  = 0.; ///< [s]
+      /// Of how far plates would close that always had their speed, how much
+      /// they have not [m].
+      double behind = 0.;
       /// Until the run ends, and until the food fails [m].
       double closure = 0., failure = 0.;
 
@@ -30,7 +32,7 @@ namespace Morsel
       double
       time_of(const double distance, const double end_time) const
       {
-        return speed > 0. ? std::min(end_time, distance / speed + 0.5 * ramp)
+        return speed > 0. ? std::min(end_time, (distance + behind) / speed)
                           : end_time;
       }
     };
@@ -43,7 +45,7 @@ namespace Morsel
       for (const auto &plate : scene.rigid_bodies)
         {
           course.speed += plate.motion.velocity.norm();
-          course.ramp = std::max(course.ramp, plate.motion.ramp_time);
+          course.behind += plate.motion.velocity.norm() * plate.motion.delay();
         }
       const auto  &body   = scene.particle_bodies.front();
       const double height = body.shape.extent(axis);

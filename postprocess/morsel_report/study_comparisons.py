@@ -6,7 +6,7 @@ import numpy as np
 
 from . import kernels, style
 from .study_data import (COLOURS, axis_label, free_axes, groups_of, in_figure,
-                         is_wide, leading_axes, name_among, plain_ticks,
+                         is_wide, leading_axes, look, name_among, plain_ticks,
                          runs_with)
 
 # More settings than these are left to the table of means.
@@ -135,6 +135,56 @@ def settings_of(study, runs):
     return settings
 
 
+def is_over_resolution(study, quantity):
+    """Whether draws differ in resolution alone, apart from their series."""
+    runs = runs_with(study, quantity)
+    leading = [n for n in leading_axes(study)
+               if len({r["axes"].get(n) for r in runs} - {None}) > 1]
+    return (bool(study.random_axes()) and bool(leading)
+            and all(study.refines(n) for n in leading))
+
+
+def draws_over_resolution(study, quantity):
+    """Draws, their means and standard deviations over the resolution."""
+    if not is_over_resolution(study, quantity):
+        return None
+    runs = [r for r in runs_with(study, quantity) if r["resolution"]]
+    factor, unit = style.prefix_of(
+        max(abs(r["quantities"][quantity]["value"]) for r in runs),
+        study.unit_of(quantity))
+    figure, axes = plt.subplots(figsize=(7.4, 4.4), layout="constrained")
+    for k, series in enumerate(study.series):
+        own = [r for r in runs if r["series"] == series["name"]]
+        # Beside each other, so that bars of one resolution stay apart.
+        shift = 1.0 + 0.02 * (k - 0.5 * (len(study.series) - 1))
+        steps = {}
+        for r in own:
+            steps.setdefault(float(f"{r['resolution']:.2g}"), []).append(r)
+        x, means, spreads = [], [], []
+        for _, members in sorted(steps.items()):
+            values = np.array([factor * r["quantities"][quantity]["value"]
+                               for r in members])
+            place = shift * np.mean([r["resolution"] for r in members])
+            axes.plot(np.full(len(values), place), values, ls="none", ms=3,
+                      alpha=0.4, mew=0, **look(k))
+            x.append(place)
+            means.append(values.mean())
+            spreads.append(values.std(ddof=1) if len(values) > 1 else 0.0)
+        axes.errorbar(x, means, yerr=spreads, lw=1.2, ms=6, capsize=3,
+                      elinewidth=1.0, label=series["title"], **look(k))
+    truths = {r["quantities"][quantity]["truth"] for r in runs}
+    if len(truths) == 1 and None not in truths:
+        axes.axhline(factor * truths.pop(), color=style.INK, lw=1.0, ls="--",
+                     zorder=1, label="truth")
+    axes.set_xscale("log")
+    plain_ticks(axes.xaxis, [r["resolution"] for r in runs])
+    axes.set_xlabel(axis_label(study.data["resolution"]["label"], "1"))
+    axes.set_ylabel(axis_label(in_figure(study.label_of(quantity)), unit))
+    handles, labels = axes.get_legend_handles_labels()
+    style.legend_above(figure, handles, labels, 2)
+    return figure
+
+
 def has_settings(study, quantity):
     """Whether there are draws of several settings that fit below each other,
     and no axis of numbers to show them over."""
@@ -142,6 +192,7 @@ def has_settings(study, quantity):
     settings = settings_of(study, runs)
     names = {name for _, name in settings}
     return (bool(study.random_axes()) and not free_axes(study, runs)
+            and not is_over_resolution(study, quantity)
             and len({series for series, _ in settings}) < len(settings)
             and len(names) <= MOST_ROWS)
 

@@ -5,8 +5,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from . import kernels, style
-from .study_comparisons import (draws_side_by_side, over_two_axes,
-                                has_settings, side_by_side)
+from .study_comparisons import (draws_over_resolution, draws_side_by_side,
+                                has_settings, is_over_resolution,
+                                over_two_axes, side_by_side)
 from .study_data import (COLOURS, axis_label, free_axes, groups_of, in_figure,
                          leading_axes, look, percent_ticks, plain_ticks,
                          runs_with)
@@ -214,7 +215,8 @@ def draw_over_axis(study, quantity, axis, others, runs):
 def scatter_of_draws(study, quantity):
     """How the errors, or values, of draws are distributed."""
     errors = study.has_errors(quantity)
-    if not study.random_axes() or has_settings(study, quantity) or (
+    if not study.random_axes() or has_settings(
+            study, quantity) or is_over_resolution(study, quantity) or (
             not errors and free_axes(study, runs_with(study, quantity))):
         return None  # see draws_side_by_side() and over_axis()
     samples = []
@@ -279,6 +281,9 @@ FIGURES = [
      "at the nearest neighbours calls unstable."),
     ("draws", scatter_of_draws,
      "How the draws scatter; dashed is the mean."),
+    ("draws_over_resolution", draws_over_resolution,
+     "The draws over the resolution, with their means and standard "
+     "deviations."),
     ("draws_by_setting", draws_side_by_side,
      "The draws of each setting; the bars are their means."),
 ]

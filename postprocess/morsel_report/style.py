@@ -166,7 +166,10 @@ def difference(share):
 
 
 def legend_above(figure, handles, labels, columns):
-    """A legend above the axes; the figure grows by its rows."""
+    """A legend above the axes in at most so many columns, fewer where the
+    labels are long; the figure grows by its rows."""
+    widest = 0.075 * max(map(len, labels)) + 0.5  # inches, about
+    columns = max(1, min(columns, int(figure.get_figwidth() / widest)))
     height = figure.get_figheight()
     whole = height + 0.1 + 0.23 * math.ceil(len(labels) / columns)
     figure.set_figheight(whole)

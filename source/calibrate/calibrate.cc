@@ -55,8 +55,8 @@ namespace Morsel::Calibrate
           "Calibration of '" + problem.name + "', body '" + problem.body +
           "', " + std::to_string(problem.particles_across) +
           " particles across, " + std::to_string(problem.parameters.seeds) +
-          " seeds, tolerance " + number_text(problem.parameters.tolerance) +
-          "\n";
+          (problem.parameters.seeds == 1 ? " seed" : " seeds") +
+          ", tolerance " + number_text(problem.parameters.tolerance) + "\n";
       for (const Target &target : problem.targets)
         text += "Target: " + target.name + " " + number_text(target.value) +
                 " Pa, from '" + target.result + "' of " + target.scene + "\n";

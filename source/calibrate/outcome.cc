@@ -230,7 +230,8 @@ namespace Morsel::Calibrate
               percent(round.targets[t].error, true) + " from the " +
               stress_text(problem.targets[t].value) + " asked for";
     text += " (mean of " + std::to_string(problem.parameters.seeds) +
-            " seeds, " + std::to_string(problem.particles_across) +
+            (problem.parameters.seeds == 1 ? " seed, " : " seeds, ") +
+            std::to_string(problem.particles_across) +
             " particles across, round " +
             std::to_string(&round - outcome.rounds.data() + 1) + " of " +
             std::to_string(outcome.rounds.size()) + ").";

@@ -114,6 +114,29 @@ namespace Morsel::Scene
     }
 
 
+    /// A way of approach has room for its ramp.
+    void
+    check_approach(const RigidBody &plate, Findings &findings)
+    {
+      const Jaw::MotionParameters &motion = plate.motion;
+      const std::string path  = "Body " + plate.name + "/Motion/Approach";
+      const double      speed = motion.velocity.norm() * motion.approach_factor;
+      if (motion.approach_share > 0. && motion.approach == 0.)
+        findings.mistake(path,
+                         "it is a share of the way to the food's failure; give "
+                         "0 where no body can fail or this one stands still.");
+      else if (motion.approach > 0. &&
+               speed * motion.ramp_time > motion.approach)
+        findings.mistake(path,
+                         "half of it, " + number_text(0.5 * motion.approach) +
+                             " m, is too short for the ramp to " +
+                             number_text(speed) +
+                             " m/s; give more, a smaller 'Approach factor' or "
+                             "a 'Ramp time' of at most " +
+                             number_text(motion.approach / speed) + " s.");
+    }
+
+
     void
     check_numerics(const ParticleBody &body,
                    const Scene        &scene,
@@ -337,6 +360,8 @@ namespace Morsel::Scene
           }
         for (const ContactPair &pair : scene.contact_pairs)
           check_gap(pair, scene, findings);
+        for (const RigidBody &plate : scene.rigid_bodies)
+          check_approach(plate, findings);
         check_conditions(scene, findings);
       }
     if (!findings.clean())

@@ -7,6 +7,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <set>
@@ -171,7 +172,42 @@ namespace Morsel::Scene
         }
       return pairs;
     }
+
+
+    /// The ways of approach in metres, from their shares; plates that close
+    /// from two sides share the closure by their speeds.
+    void
+    complete_approaches(Scene &scene)
+    {
+      const auto food = std::find_if(
+          scene.particle_bodies.begin(),
+          scene.particle_bodies.end(),
+          [](const ParticleBody &body) { return body.damage.enabled; });
+      if (food == scene.particle_bodies.end())
+        return;
+      for (RigidBody &plate : scene.rigid_bodies)
+        {
+          const auto        &v     = plate.motion.velocity;
+          const unsigned int axis  = std::abs(v[0]) > std::abs(v[1]) ? 0 : 1;
+          double             speed = 0.;
+          for (const RigidBody &other : scene.rigid_bodies)
+            speed += std::abs(other.motion.velocity[axis]);
+          if (speed > 0.)
+            plate.motion.approach = plate.motion.approach_share *
+                                    expected_failure_closure(*food, axis) *
+                                    v.norm() / speed;
+        }
+    }
   } // namespace
+
+
+  double
+  expected_failure_closure(const ParticleBody &body, const unsigned int axis)
+  {
+    const double nu = body.material.poissons_ratio;
+    return body.material.compressive_strength * (1. - nu * nu) /
+           body.material.youngs_modulus * body.shape.extent(axis);
+  }
 
 
   void
@@ -195,6 +231,7 @@ namespace Morsel::Scene
           body.spacing = body.shape.extent(0) / body.particles_across;
         complete_solid(body, entries);
       }
+    complete_approaches(scene);
     scene.contact_pairs = read_pairs(pairs, scene, entries);
     if (scene.particle_bodies.empty())
       return;

@@ -44,6 +44,13 @@ namespace Morsel::Scene
         "that have room in it; 'relaxed': rows along the boundary, the rest "
         "evened out by Lloyd iterations.",
         Patterns::Selection("lattice|relaxed"));
+    prm.add_parameter(
+        "Lattice angle",
+        lattice_angle,
+        "By how much the lattice is turned about the middle of the shape, "
+        "from x to y [degrees]. A rectangle then holds the particles that "
+        "have room in it, as other shapes do.",
+        Patterns::Double(-90., 90.));
     prm.add_parameter("Relaxations",
                       relaxations,
                       "Lloyd iterations of a relaxed filling, at most [1].",

@@ -28,20 +28,37 @@ namespace Morsel::SPH
     constexpr double largest_cell = 3.2;
 
 
-    /// The square lattice over the bounding box, as far as it stands inside.
+    /// The square lattice over the bounding box, turned about its middle, as
+    /// far as it stands inside.
     std::vector<Point<2>>
-    lattice(const Outline &outline, const double dp, const double margin)
+    lattice(const Outline &outline,
+            const double   dp,
+            const double   margin,
+            const double   angle)
     {
       const Point<2>     lower  = outline.lower();
       const Tensor<1, 2> extent = outline.upper() - lower;
-      const auto         count  = [&](const unsigned int d) {
-        return static_cast<unsigned int>(std::ceil(extent[d] / dp - 1e-6));
+      const Point<2>     middle = lower + 0.5 * extent;
+      const double       turn   = angle * dealii::numbers::PI / 180.;
+      const double       c = std::cos(turn), s = std::sin(turn);
+      // Rows that a turned lattice needs beyond the box on each side.
+      const int rows =
+          angle == 0. ? 0
+                      : static_cast<int>(std::ceil(0.5 * extent.norm() / dp));
+      const auto count = [&](const unsigned int d) {
+        return static_cast<int>(std::ceil(extent[d] / dp - 1e-6));
       };
       std::vector<Point<2>> points;
-      for (unsigned int y = 0; y < count(1); ++y)
-        for (unsigned int x = 0; x < count(0); ++x)
+      for (int y = -rows; y < count(1) + rows; ++y)
+        for (int x = -rows; x < count(0) + rows; ++x)
           {
-            const Point<2> p = lower + dp * Tensor<1, 2>({x + 0.5, y + 0.5});
+            const Point<2> straight =
+                lower + dp * Tensor<1, 2>({x + 0.5, y + 0.5});
+            const Tensor<1, 2> r = straight - middle;
+            const Point<2>     p =
+                angle == 0. ? straight
+                                : middle + Tensor<1, 2>({c * r[0] - s * r[1],
+                                                         s * r[0] + c * r[1]});
             if (outline.contains(p) &&
                 outline.distance(p) >= (margin - 1e-6) * dp)
               points.push_back(p);
@@ -304,13 +321,14 @@ namespace Morsel::SPH
                   closest_pair * dp,
                   cloud.points);
         add_apart(outline,
-                  lattice(outline, dp, 1.),
+                  lattice(outline, dp, 1., body.lattice_angle),
                   0.,
                   closest_pair * dp,
                   cloud.points);
       }
     else
-      cloud.points = lattice(outline, cloud.spacing, closest_to_boundary);
+      cloud.points = lattice(
+          outline, cloud.spacing, closest_to_boundary, body.lattice_angle);
     if (cloud.size() < 9)
       throw InputError("Body '" + body.name + "' has room for " +
                        std::to_string(cloud.size()) +

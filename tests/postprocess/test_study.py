@@ -111,6 +111,20 @@ class StudyTest(PageTest):
         self.assertEqual(figures, {"draws_K"})
         self.assertNotIn("could not be drawn", page)
 
+    def test_draws_over_the_resolution(self):
+        runs = []
+        for n in (10, 20, 40):
+            for seed in (1, 2, 3):
+                run = a_run("p1", n, 0.01 * seed / n)
+                run["axes"] = {"n": n, "seed": seed}
+                runs.append(run)
+        axes = {"n": an_axis("cells"), "seed": an_axis("seed", "seeds")}
+        page, figures = self.page_of(a_study(
+            runs=runs, axes=axes, timing=False, time_to_reach=[], rates=[],
+            pareto_fronts=[]))
+        self.assertEqual(figures, {"draws_over_resolution_K"})
+        self.assertNotIn("could not be drawn", page)
+
     def test_draws_of_several_settings(self):
         page, figures = self.page_of(a_food_study())
         self.assertEqual(figures, {"draws_by_setting_performance",

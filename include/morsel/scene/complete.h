@@ -9,6 +9,11 @@
 
 namespace Morsel::Scene
 {
+  /// Closure along an axis at which a body that can fail is expected to [m]:
+  /// its extent times strength over plane-strain modulus.
+  double
+  expected_failure_closure(const ParticleBody &body, unsigned int axis);
+
   /// What follows from the entries: names, spacings, materials, pairs.
   /// @param pairs the text of Contact/Pairs.
   /// @throws InputError for an unknown material or body.

@@ -29,6 +29,7 @@ namespace Morsel::Scene
     unsigned int     particles_across = 0;         ///< along x
     double           spacing          = 0.;        ///< dp [m], derived
     std::string      filling          = "lattice"; ///< or "relaxed"
+    double           lattice_angle    = 0.;        ///< [degrees]
     unsigned int     relaxations      = 50;        ///< Lloyd iterations at most
     double           scatter          = 0.;        ///< in spacings [1]
     dealii::Point<2> initial_velocity;             ///< [m/s]
@@ -56,7 +57,8 @@ namespace Morsel::Scene
     bool
     is_plain_lattice() const
     {
-      return shape.is_rectangle() && filling == "lattice";
+      return shape.is_rectangle() && filling == "lattice" &&
+             lattice_angle == 0.;
     }
 
     /// Whether all particles have a cell of the same size.

@@ -1,0 +1,315 @@
+#include <morsel/core/errors.h>
+#include <morsel/sph/body_cloud.h>
+#include <morsel/sph/body_cracks.h>
+#include <morsel/sph/highest_frequency.h>
+#include <morsel/sph/solid.h>
+#include <morsel/sph/stable_step.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace Morsel::SPH
+{
+  namespace
+  {
+    void
+    require_one_rank(const Scene::ParticleBody &body,
+                     const MPI_Comm             communicator,
+                     const std::string         &what,
+                     const std::string         &else_take)
+    {
+      if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+        throw InputError("Body '" + body.name + "' " + what +
+                         ", which runs on one rank only: start the program "
+                         "without mpirun, or with 'mpirun -np 1'" +
+                         else_take + ".");
+    }
+  } // namespace
+
+
+  Solid::Solid(const Scene::ParticleBody &body,
+               const Scene::Scene        &scene,
+               const MPI_Comm             communicator)
+      : depth(scene.depth)
+      , cfl(body.solid.cfl)
+      , kernel(kernel_named(body.solid.kernel),
+               body.solid.smoothing_ratio * body.spacing)
+      , material(body.material.youngs_modulus,
+                 body.material.poissons_ratio,
+                 body.material.density)
+      , linear_law(body.material.law == "linear")
+      , softening(body.damage.softening == "deviator"
+                      ? Materials::Softening::deviator
+                      : Materials::Softening::tensile_principal)
+      , hourglass_stiffness(body.solid.hourglass * material.youngs_modulus)
+      , normalisation(normalisation_named(body.normalisation()))
+      , host(communicator,
+             body.shape.lower_corner,
+             body.shape.upper_corner,
+             kernel.support(),
+             body.spacing)
+      , viscosity(body.solid.viscosity == "on" ||
+                  (body.solid.viscosity == "auto" && body.damage.enabled))
+  {
+    if (body.damage.enabled)
+      require_one_rank(
+          body, communicator, "can fail (Damage/Enabled = true)", "");
+    if (normalisation == Normalisation::conforming)
+      require_one_rank(body,
+                       communicator,
+                       "takes the conforming gradient",
+                       ", or take 'Normalisation' = 'gradient matrix'");
+    fill(body, scene.seed);
+    choose_loops(body);
+    highest_frequency =
+        normalisation == Normalisation::conforming
+            ? measured_highest_frequency()
+            // Where hourglass control is stiffer than stress, its own highest
+            // frequency rules: 3.4 alpha E/(rho h^2) is the largest square of
+            // it (measured over kernels and smoothing ratios).
+            : largest_modulus_factor() *
+                  std::max(square_of_highest_frequency(material.wave_speed,
+                                                       kernel.h),
+                           3.4 * hourglass_stiffness /
+                               (material.density * kernel.h * kernel.h));
+    if (body.damage.enabled)
+      make_breakable(body, scene);
+  }
+
+
+  void
+  Solid::fill(const Scene::ParticleBody &body, const unsigned int seed)
+  {
+    const double dp    = body.spacing;
+    const bool   cells = normalisation == Normalisation::conforming;
+    Cloud        cloud;
+    const bool   even = body.is_even_lattice();
+    if (!even || cells)
+      {
+        cloud = body_cloud(body, seed);
+        std::vector<ParticleHost<2>::Index> ids(cloud.size());
+        std::iota(ids.begin(), ids.end(), ParticleHost<2>::Index(0));
+        host.insert(cloud.points, ids);
+      }
+    else
+      host.insert_lattice(body.shape.lower_corner,
+                          body.shape.upper_corner,
+                          body.particles_across);
+    particles.spacing   = dp;
+    particles.n_owned   = host.n_owned();
+    particles.n_local   = host.n_local();
+    particles.reference = host.reference_positions();
+    particles.id.assign(host.ids().begin(), host.ids().end());
+    if (even)
+      particles.set_areas(std::vector<double>(particles.n_local, dp * dp),
+                          depth,
+                          material.density);
+    else
+      take_cells(cloud);
+    scatter_modulus(body, seed);
+    allocate(body);
+    const Visibility visibility =
+        visibility_in(body, particles.reference, kernel.support());
+    if (cells)
+      bonds.build_conforming(particles, cloud, kernel, visibility);
+    else
+      bonds.build(particles, kernel, visibility);
+    normalise(body);
+  }
+
+
+  void
+  Solid::take_cells(const Cloud &cloud)
+  {
+    std::vector<double> areas;
+    for (unsigned int i = 0; i < particles.n_local; ++i)
+      {
+        const VoronoiCell &cell = cloud.cells[particles.id[i]];
+        areas.push_back(cell.area);
+        // From the outermost particles alone; the nearer edge at a corner.
+        double distance = cloud.spacing, width = 0.;
+        for (const CellFacet &facet : cell.facets)
+          if (facet.at_boundary())
+            {
+              const double d =
+                  facet.normal() * (facet.first - particles.reference[i]);
+              if (d < distance)
+                {
+                  distance = d;
+                  width    = facet.length();
+                }
+            }
+        const bool outermost = width > 0.;
+        edges.distance.push_back(outermost ? distance : 0.5 * cloud.spacing);
+        edges.width.push_back(outermost ? width : cloud.spacing);
+      }
+    particles.set_areas(areas, depth, material.density);
+  }
+
+
+  void
+  Solid::allocate(const Scene::ParticleBody &body)
+  {
+    const unsigned int n = particles.n_local;
+    particles.set_velocity(body.initial_velocity_function());
+    particles.acceleration.assign(n, {0., 0.});
+    particles.gradient.assign(n, {0., 0., 0., 0.});
+    particles.pair_stress.assign(n, {0., 0., 0., 0.});
+    particles.hourglass.assign(n, hourglass_stiffness);
+    for (unsigned int i = 0; i < particles.modulus.size(); ++i)
+      particles.hourglass[i] *= particles.modulus[i];
+    if (viscosity || body.damage.enabled)
+      {
+        particles.viscous.assign(n, {0., 0.});
+        particles.viscous_heat.assign(n, 0.);
+      }
+    if (normalisation == Normalisation::conforming)
+      {
+        particles.fit_stress.assign(n, {0., 0., 0., 0.});
+        particles.own_sum.assign(n, {0., 0.});
+        if (body.damage.enabled)
+          particles.deficit.assign(n, {0., 0., 0., 0.});
+      }
+  }
+
+
+  void
+  Solid::normalise(const Scene::ParticleBody &body)
+  {
+    const bool conforming = normalisation == Normalisation::conforming;
+    const bool own_fit =
+        conforming || (normalisation != Normalisation::gradient_matrix &&
+                       hourglass_stiffness > 0.);
+    if (!conforming)
+      particles.shape.resize(particles.n_local);
+    if (own_fit)
+      particles.fit.resize(particles.n_local);
+    for (unsigned int i = 0; i < particles.n_owned; ++i)
+      {
+        const Symmetric2 m = bonds.moment(i);
+        if (smaller_eigenvalue(m) < 1e-3 * bonds.full_moment)
+          throw InputError(
+              "Body '" + body.name +
+              "': its particles do not span the plane (a single row or column "
+              "has no strain across it); use at least two rows and columns.");
+        if (conforming)
+          {
+            renew_conforming(particles, bonds, i);
+            continue;
+          }
+        particles.shape[i] = inverse(m);
+        if (own_fit)
+          particles.fit[i] = particles.shape[i];
+        if (normalisation == Normalisation::gradient_matrix)
+          continue;
+        double sum = particles.area[i] * kernel.value(0.);
+        for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
+             ++k)
+          sum += particles.area[bonds.list.index[k]] *
+                 kernel.value(std::sqrt(bonds.length_square(k)));
+        particles.shape[i] = gradient_correction(normalisation, {m, sum});
+      }
+  }
+
+
+  void
+  Solid::choose_loops(const Scene::ParticleBody &body)
+  {
+    constants         = {};
+    constants.mu      = material.mu;
+    constants.bulk    = material.bulk;
+    constants.density = material.density;
+    constants.uniform_hourglass =
+        body.solid.hourglass * material.youngs_modulus;
+    constants.viscosity_alpha_c =
+        body.solid.viscosity_alpha * material.wave_speed;
+    constants.viscosity_beta   = body.solid.viscosity_beta;
+    constants.smoothing_length = kernel.h;
+
+    // Nothing is decided inside the loops over pairs.
+    const PairKernels &kernels    = pair_kernels();
+    const unsigned int softened   = !body.damage.enabled ? 0
+                                    : softening == Materials::Softening::deviator
+                                        ? 1
+                                        : 2;
+    const bool         conforming = normalisation == Normalisation::conforming;
+    strain_loop = conforming ? kernels.strain_conforming[linear_law][softened]
+                  : particles.fit.empty() ? kernels.strain[linear_law][softened]
+                                          : kernels.strain_own_fit[linear_law];
+    const bool varying = body.damage.enabled || !particles.modulus.empty();
+    force_loop         = (conforming ? kernels.force_conforming
+                                     : kernels.force)[viscosity][varying];
+  }
+
+
+  double
+  Solid::measured_highest_frequency()
+  {
+    const PairKernels &kernels = pair_kernels();
+    const BondedArrays arrays  = bonded_arrays(particles, bonds);
+    // Small enough for the tangent, large enough for its round-off.
+    const double size          = 1e-6 * particles.spacing;
+    const auto   accelerations = [&](const std::vector<Vector2> &u,
+                                   std::vector<Vector2>       &a) {
+      double largest = 0.;
+      for (const Vector2 &v : u)
+        largest = std::max({largest, std::abs(v.x), std::abs(v.y)});
+      const double scale = size / largest;
+      for (unsigned int i = 0; i < particles.n_owned; ++i)
+        {
+          particles.motion[i].u_x = scale * u[i].x;
+          particles.motion[i].u_y = scale * u[i].y;
+        }
+      const unsigned int n = particles.n_groups();
+      kernels.strain_conforming[linear_law][0](arrays, constants, 0, n);
+      kernels.force_conforming[false][!particles.modulus.empty()](
+          arrays, constants, 0, n);
+      for (unsigned int i = 0; i < particles.n_owned; ++i)
+        a[i] = {particles.acceleration[i].x / scale,
+                particles.acceleration[i].y / scale};
+    };
+    const double result =
+        square_of_highest_frequency(accelerations, particles.mass);
+    for (Motion &m : particles.motion)
+      m.u_x = m.u_y = 0.;
+    particles.acceleration.assign(particles.n_local, {0., 0.});
+    return result;
+  }
+
+
+  void
+  Solid::make_breakable(const Scene::ParticleBody &body,
+                        const Scene::Scene        &scene)
+  {
+    const Materials::DamageLaw law(
+        body.damage,
+        material,
+        body.material.compressive_strength,
+        {body.spacing * body.spacing * depth, body.spacing});
+    fracture = std::make_unique<DamageEvolution>(
+        particles,
+        bonds,
+        kernel,
+        material,
+        linear_law,
+        law,
+        constants,
+        body.damage,
+        scene.measures.friend_distance * particles.spacing,
+        scene.seed,
+        strength_of_grains(body, scene.seed));
+    granular = std::make_unique<Granular>(
+        particles,
+        bonds,
+        kernel,
+        material,
+        GranularConstants{body.damage.granular_friction,
+                          body.solid.viscosity_alpha,
+                          body.solid.viscosity_beta,
+                          scene.contact.stiffness * material.p_wave_modulus *
+                              depth},
+        fracture->exposed_particles(),
+        fracture->contact_diameters());
+  }
+} // namespace Morsel::SPH
