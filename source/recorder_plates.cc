@@ -77,6 +77,13 @@ namespace Morsel
                       "m",
                       "largest displacement of its surface's nodes relative "
                       "to the sides that are held");
+        if (const auto *const d = plates[p].get_deformation();
+            d && d->settles())
+          summary.add("contact_evaluations_per_step_" + name,
+                      static_cast<double>(d->n_evaluations()) /
+                          (bite.step() + 1.),
+                      "1",
+                      "what its equilibrium with the food takes");
       }
     const auto &e = energy.last();
     if (e.plate_strain == 0. && e.plate_kinetic == 0.)

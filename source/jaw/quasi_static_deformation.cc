@@ -87,7 +87,6 @@ namespace Morsel::Jaw
   void
   QuasiStaticDeformation::make_matrix(const TouchLists &touches)
   {
-    ++matrices;
     for (const unsigned int node : touched)
       place[node] = -1;
     touched.clear();
@@ -126,7 +125,7 @@ namespace Morsel::Jaw
                                  const TouchLists &touches,
                                  const double      time_step)
   {
-    ++iterations;
+    ++evaluations;
     const Eigen::VectorXd f = nodal_forces(surface);
     make_columns(touches);
     const Eigen::VectorXd answer   = deflection(f);

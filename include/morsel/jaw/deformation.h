@@ -81,12 +81,16 @@ namespace Morsel::Jaw
       return {};
     }
 
+    /// Of contact on the body so far, where it settles.
+    virtual unsigned long long
+    n_evaluations() const
+    {
+      return 0;
+    }
+
     /// By dof, relative to the drive [m].
     virtual Eigen::VectorXd
     displacement() const = 0;
-
-    virtual std::string
-    name() const = 0;
 
     const FE::ElasticBody &
     get_body() const

@@ -62,12 +62,6 @@ namespace Morsel::Jaw
       return w;
     }
 
-    std::string
-    name() const override
-    {
-      return "dynamic";
-    }
-
   private:
     const MPI_Comm   communicator;
     const bool       first_rank;

@@ -49,22 +49,10 @@ namespace Morsel::Jaw
     Eigen::VectorXd
     displacement() const override;
 
-    std::string
-    name() const override
-    {
-      return "quasi-static";
-    }
-
-    /// Contact evaluations and matrices that settling has taken so far.
     unsigned long long
-    n_iterations() const
+    n_evaluations() const override
     {
-      return iterations;
-    }
-    unsigned long long
-    n_matrices() const
-    {
-      return matrices;
+      return evaluations;
     }
 
   private:
@@ -100,7 +88,7 @@ namespace Morsel::Jaw
     double             amplification = 0.; ///< largest row sum of C K_contact
     unsigned int       attempt       = 0;
     double             last_residual = 0.;
-    unsigned long long iterations = 0, matrices = 0;
+    unsigned long long evaluations   = 0;
   };
 } // namespace Morsel::Jaw
 
