@@ -128,6 +128,10 @@ namespace Morsel
     set_up_deformations(
         std::vector<std::unique_ptr<FE::ElasticBody>> &&elastic);
 
+    void
+    limit_step_by_plates(
+        const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic);
+
     const std::vector<ParticleForce> &
     press(Pair &pair);
 

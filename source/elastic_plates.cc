@@ -148,7 +148,7 @@ namespace Morsel
 
     const Eigen::VectorXd f = pressure_of_food(body, food, axis, scene.depth);
     const Eigen::VectorXd u =
-        body.factorise(0.).solve(body.trace().transpose() * f);
+        body.factorise(1., 0.).solve(body.trace().transpose() * f);
     const double yields = (body.trace() * u).lpNorm<Eigen::Infinity>();
     const double nu     = food.material.poissons_ratio;
     const double height = food.shape.extent(axis);

@@ -192,7 +192,8 @@ namespace Morsel::FE
 
 
   Multifrontal
-  ElasticBody::factorise(const double mass_factor) const
+  ElasticBody::factorise(const double stiffness_factor,
+                         const double mass_factor) const
   {
     Assert(mass_factor > 0. || is_held(),
            ExcMessage("A body that nothing holds has no static stiffness."));
@@ -206,6 +207,7 @@ namespace Morsel::FE
         const auto            dofs = dofs_of(cell);
         functions.evaluate(cell, map, q.points, q.reference);
         Eigen::MatrixXd matrix =
+            stiffness_factor *
             element_stiffness(functions, n, q.weights, material, 0.);
         matrix += mass_factor * properties.density *
                   element_mass(functions, n, q.weights);

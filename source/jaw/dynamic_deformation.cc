@@ -27,6 +27,8 @@ namespace Morsel::Jaw
       : Deformation(std::move(elastic_body))
       , communicator(communicator)
       , first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      , dt(time_step)
+      , factors(body->factorise(1., 4. / (dt * dt)))
   {
     w = half_velocity = acceleration = Eigen::VectorXd::Zero(body->n_dofs());
     for (unsigned int c = 0; c < 2; ++c)
@@ -39,37 +41,28 @@ namespace Morsel::Jaw
         half_velocity += initial_velocity[c] * ones[c];
       }
     surface_velocity = body->trace() * half_velocity;
-    set_time_step(time_step);
-  }
-
-
-  void
-  DynamicDeformation::set_time_step(const double time_step)
-  {
-    dt      = time_step;
-    factors = body->factorise(4. / (dt * dt));
   }
 
 
   double
-  DynamicDeformation::contact_frequency(
-      const double               foundation,
-      const std::vector<double> &tributary) const
+  contact_frequency(const FE::ElasticBody     &body,
+                    const double               foundation,
+                    const std::vector<double> &tributary)
   {
-    Eigen::VectorXd springs(2 * tributary.size());
+    const FE::Multifrontal mass = body.factorise(0., 1.);
+    Eigen::VectorXd        springs(2 * tributary.size());
     for (unsigned int k = 0; k < tributary.size(); ++k)
       springs[2 * k] = springs[2 * k + 1] = foundation * tributary[k];
     // Power iteration from what is smooth nowhere.
-    Eigen::VectorXd x(body->n_dofs());
+    Eigen::VectorXd x(body.n_dofs());
     for (unsigned int i = 0; i < x.size(); ++i)
       x[i] = 1. + 0.5 * ((i * 7919) % 13);
     double largest = 0.;
     for (unsigned int k = 0; k < power_iterations; ++k)
       {
         x /= x.norm();
-        x = 4. / (dt * dt) *
-            factors.solve(body->trace().transpose() *
-                          springs.cwiseProduct(body->trace() * x).eval());
+        x       = mass.solve(body.trace().transpose() *
+                       springs.cwiseProduct(body.trace() * x).eval());
         largest = x.norm();
       }
     return largest;
@@ -98,14 +91,14 @@ namespace Morsel::Jaw
         dealii::ArrayView<const double>(f.data(), f.size()),
         communicator,
         dealii::ArrayView<double>(f.data(), f.size()));
-    Eigen::VectorXd loads =
-        body->trace().transpose() * f - body->stiffness() * w;
+    outer_loads = body->trace().transpose() * f;
     const auto drive_acceleration =
         (drive.velocity_after - drive.velocity_before) / drive.kick;
     for (unsigned int c = 0; c < 2; ++c)
-      loads -= drive_acceleration[c] * mass_of_ones[c];
-    acceleration = 4. / (dt * dt) * factors.solve(loads);
-    last_drive   = drive;
+      outer_loads -= drive_acceleration[c] * mass_of_ones[c];
+    const Eigen::VectorXd loads = outer_loads - body->stiffness() * w;
+    acceleration                = 4. / (dt * dt) * factors.solve(loads);
+    last_drive                  = drive;
 
     // The rows of the held dofs say what holds them.
     dealii::Tensor<1, 2> push;
@@ -122,8 +115,13 @@ namespace Morsel::Jaw
   {
     half_velocity += last_drive.kick * acceleration;
     w += time_step * half_velocity;
-    lag              = 0.5 * time_step;
-    surface_velocity = body->trace() * (half_velocity + lag * acceleration);
+    lag = 0.5 * time_step;
+    // Friction needs the velocity of the whole step. Extrapolated with the
+    // last acceleration it would turn what the step does not resolve, whose
+    // velocity there is zero, into the largest of all, and feed it.
+    const Eigen::VectorXd predicted =
+        4. / (dt * dt) * factors.solve(outer_loads - body->stiffness() * w);
+    surface_velocity = body->trace() * (half_velocity + lag * predicted);
   }
 
 

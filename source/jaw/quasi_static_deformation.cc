@@ -22,7 +22,7 @@ namespace Morsel::Jaw
   QuasiStaticDeformation::QuasiStaticDeformation(
       std::unique_ptr<FE::ElasticBody> elastic_body)
       : Deformation(std::move(elastic_body))
-      , factors(body->factorise(0.))
+      , factors(body->factorise(1., 0.))
       , compliance(body->surface_nodes().size())
       , place(body->surface_nodes().size(), -1)
   {

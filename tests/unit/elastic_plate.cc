@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_crosses_the_contact_exactly)
         auto at_foot = surface;
         Contact::GapPenalty(law, row_of(dp), {})
             .compute(x, motion, n, 1e-7, at_foot);
-        const auto by_foot = body->factorise(0.).solve(
+        const auto by_foot = body->factorise(1., 0.).solve(
             body->trace().transpose() * Jaw::nodal_forces(at_foot));
         const double foot_error =
             stress_error(*body, by_foot, 1e7 * depth / dp);

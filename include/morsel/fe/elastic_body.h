@@ -114,11 +114,11 @@ namespace Morsel::FE
       return held_dofs.maxCoeff() > 0.;
     }
 
-    /// Factors of K + @p mass_factor M on the dofs that are not held; held
-    /// ones get zero in a solution.
-    /// @pre held, or a mass factor above 0
+    /// Factors of a K + b M on the dofs that are not held; held ones get zero
+    /// in a solution.
+    /// @pre b > 0, or a > 0 and held
     Multifrontal
-    factorise(double mass_factor) const;
+    factorise(double stiffness_factor, double mass_factor) const;
 
     /// Displacement and stress for output.
     CellCornerFields

@@ -14,7 +14,7 @@ namespace Morsel::Jaw
   /// which is leapfrog, as for the particles, with M + dt^2 K/4 in place of
   /// the mass. So body and food exchange the same impulse at the same
   /// moment, the energy of their contact is kept as well as among particles,
-  /// and the step is limited by the contact's springs on the body's mass alone.
+  /// and the step is limited by contact_frequency() alone.
   class DynamicDeformation : public Deformation
   {
   public:
@@ -23,18 +23,6 @@ namespace Morsel::Jaw
                        const dealii::Tensor<1, 2>      &initial_velocity,
                        double                           time_step,
                        MPI_Comm                         communicator);
-
-    /// For another time step, before the first one.
-    void
-    set_time_step(double time_step);
-
-    /// Largest square of a frequency [1/s^2] of the body on contact springs
-    /// all along its surface, with its stiffness as the scheme takes it.
-    /// @param foundation stiffness per length of surface [N/m^2]
-    /// @param tributary length of surface that belongs to each node [m]
-    double
-    contact_frequency(double                     foundation,
-                      const std::vector<double> &tributary) const;
 
     void
     add_to(Contact::Surface &surface) const override;
@@ -65,7 +53,7 @@ namespace Morsel::Jaw
   private:
     const MPI_Comm   communicator;
     const bool       first_rank;
-    double           dt = 0.;
+    const double     dt;
     FE::Multifrontal factors; ///< of K + 4 M/dt^2
 
     /// Mass and stiffness times a uniform displacement of all dofs or of
@@ -74,11 +62,23 @@ namespace Morsel::Jaw
         stiffness_of_held;
 
     Eigen::VectorXd w, half_velocity, acceleration;
+    Eigen::VectorXd outer_loads; ///< of contact and of the drive's motion [N]
     /// Velocity at the whole step, as it was known when the step began [m/s].
     Eigen::VectorXd surface_velocity;
     DriveKick       last_drive{0., {}, {}};
     double          lag = 0.; ///< from the half step to the whole one [s]
   };
+
+
+  /// Largest square of a frequency [1/s^2] of the mass of a body on contact
+  /// springs all along its surface. The body's own stiffness drops out of the
+  /// limit of the step: 4/dt^2 (M + dt^2 K/4) > K + K_contact.
+  /// @param foundation stiffness per length of surface [N/m^2]
+  /// @param tributary length of surface that belongs to each node [m]
+  double
+  contact_frequency(const FE::ElasticBody     &body,
+                    double                     foundation,
+                    const std::vector<double> &tributary);
 } // namespace Morsel::Jaw
 
 #endif
