@@ -102,6 +102,44 @@ BOOST_AUTO_TEST_CASE(column_has_the_stiffness_of_its_parts_in_series)
 }
 
 
+BOOST_AUTO_TEST_CASE(friction_feeds_no_plate)
+{
+  // Enamel in cells of a third of a spacing, and a plate that is soft.
+  const struct
+  {
+    const char *response;
+    double      modulus;
+  } cases[] = {{"dynamic", 80e9}, {"quasi-static", 239e6}};
+  for (const auto &c : cases)
+    {
+      Scene::Scene scene     = scene_of_column(c.response);
+      scene.contact.friction = 0.5;
+      scene.particle_bodies[0].material.poissons_ratio = 0.3;
+      for (auto &plate : scene.rigid_bodies)
+        {
+          plate.deformation.youngs_modulus = c.modulus;
+          plate.deformation.cell_size      = 2e-4;
+          plate.motion.ramp_time           = 1e-4;
+        }
+      RunLog log("", true, false);
+      Bite   bite(scene, MPI_COMM_SELF, log);
+      double error = 0., scale = 0.;
+      for (bite.evaluate(); bite.time() < 3e-4; bite.evaluate())
+        {
+          const auto e = bite.energies();
+          scale        = std::max(scale, e.largest_term());
+          error        = std::max(
+              error, std::abs(e.external_work - e.stored() - e.dissipated()));
+          bite.advance();
+        }
+      BOOST_TEST_MESSAGE(
+          c.response << ", E = " << c.modulus << " Pa: energy ledger within "
+                     << error / scale << ", " << bite.step() << " steps");
+      BOOST_TEST(error < 0.005 * scale);
+    }
+}
+
+
 BOOST_AUTO_TEST_CASE(auto_chooses_by_stiffness_and_period)
 {
   const auto choose = [](const double modulus, const double speed) {

@@ -286,7 +286,7 @@ BOOST_AUTO_TEST_CASE(impact_of_bars_keeps_momentum_and_energy)
       BOOST_TEST(impact->plateau == force, tt::tolerance(0.01));
       // The contact's springs, a spacing long, let go a little later.
       BOOST_TEST(impact->impulse == impulse,
-                 tt::tolerance(impact == &soft ? 0.02 : 0.005));
+                 tt::tolerance(impact == &soft ? 0.01 : 0.005));
       BOOST_TEST(impact->energy_error < 0.01);
       BOOST_TEST(impact->momentum_error < 1e-11);
     }
