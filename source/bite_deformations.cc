@@ -61,8 +61,23 @@ namespace Morsel
     const double stable = stable_time_step();
     if (scene.time.time_step == 0.)
       dt = stable;
-    else if (dt > stable && *std::max_element(plate_frequencies.begin(),
-                                              plate_frequencies.end()) > 0.)
+    // Friction that stops a particle against a surface at rest would turn a
+    // light surface around.
+    for (const auto &pair : pairs)
+      if (responses[pair.plate] == "dynamic")
+        {
+          const auto   side      = solids[pair.solid]->contact_side();
+          const double stiffness = pair.contact->stiffness();
+          const double frequency =
+              Jaw::contact_frequency(*elastic[pair.plate],
+                                     stiffness / side.spacing,
+                                     plates[pair.plate].surface.tributary,
+                                     dt);
+          pair.contact->set_slipping_mass(
+              1. / (1. / side.mass + frequency / stiffness));
+        }
+    if (dt > stable && *std::max_element(plate_frequencies.begin(),
+                                         plate_frequencies.end()) > 0.)
       log.warning("'Time/Time step' exceeds the stable step of contact with "
                   "elastic plates, " +
                   number_text(stable) + " s.");

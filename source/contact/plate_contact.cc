@@ -123,6 +123,7 @@ namespace Morsel::Contact
       , side(side)
       , range(range)
       , margin(margin_in_spacings * side.spacing)
+      , slipping_mass(side.mass)
   {}
 
 
@@ -263,7 +264,7 @@ namespace Morsel::Contact
     if (parameters.friction == 0. || speed == 0.)
       return {};
     const double size = std::min(parameters.friction * normal_force,
-                                 0.5 * side.mass * speed / time_step);
+                                 0.5 * slipping_mass * speed / time_step);
     heat += size * speed * time_step;
     return -size / speed * slip;
   }

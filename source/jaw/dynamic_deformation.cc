@@ -47,10 +47,12 @@ namespace Morsel::Jaw
   double
   contact_frequency(const FE::ElasticBody     &body,
                     const double               foundation,
-                    const std::vector<double> &tributary)
+                    const std::vector<double> &tributary,
+                    const double               time_step)
   {
-    const FE::Multifrontal mass = body.factorise(0., 1.);
-    Eigen::VectorXd        springs(2 * tributary.size());
+    const FE::Multifrontal mass =
+        body.factorise(0.25 * time_step * time_step, 1.);
+    Eigen::VectorXd springs(2 * tributary.size());
     for (unsigned int k = 0; k < tributary.size(); ++k)
       springs[2 * k] = springs[2 * k + 1] = foundation * tributary[k];
     // Power iteration from what is smooth nowhere.

@@ -77,6 +77,14 @@ namespace Morsel::Contact
       return penetration;
     }
 
+    /// Mass that resists a slip [kg] where the surface gives way to friction,
+    /// too: the particle's own as long as nothing is said.
+    void
+    set_slipping_mass(const double mass)
+    {
+      slipping_mass = mass;
+    }
+
     /// Stiffness of one particle against the surface [N/m]; bounds the step.
     virtual double
     stiffness() const = 0;
@@ -116,7 +124,7 @@ namespace Morsel::Contact
     double
     sticking_rate(const double time_step) const
     {
-      return 0.5 * side.mass / time_step;
+      return 0.5 * slipping_mass / time_step;
     }
 
     const ContactParameters parameters;
@@ -144,6 +152,7 @@ namespace Morsel::Contact
     std::vector<dealii::Point<2>> position, searched_at, searched_nodes;
     std::vector<ParticleForce>    forces;
     double                        heat_before = 0.;
+    double                        slipping_mass;
   };
 
 

@@ -75,10 +75,12 @@ namespace Morsel::Jaw
   /// limit of the step: 4/dt^2 (M + dt^2 K/4) > K + K_contact.
   /// @param foundation stiffness per length of surface [N/m^2]
   /// @param tributary length of surface that belongs to each node [m]
+  /// @param time_step with M + dt^2 K/4 in place of M, if not 0 [s]
   double
   contact_frequency(const FE::ElasticBody     &body,
                     double                     foundation,
-                    const std::vector<double> &tributary);
+                    const std::vector<double> &tributary,
+                    double                     time_step = 0.);
 } // namespace Morsel::Jaw
 
 #endif
