@@ -1,4 +1,5 @@
 #include "bite.h"
+#include "elastic_plates.h"
 
 #include <morsel/core/errors.h>
 
@@ -36,25 +37,41 @@ namespace Morsel
   {
     for (const auto &body : scene.particle_bodies)
       solids.push_back(std::make_unique<SPH::Solid>(body, scene, communicator));
+    std::vector<std::unique_ptr<FE::ElasticBody>> elastic;
     for (const auto &body : scene.rigid_bodies)
-      plates.emplace_back(body,
-                          body.node_spacing > 0.
-                              ? body.node_spacing
-                              : 0.5 * scene.particle_bodies.front().spacing);
+      {
+        elastic.emplace_back();
+        if (body.deformation.elastic)
+          {
+            elastic.back() = make_elastic_body(scene, body);
+            plates.emplace_back(body, *elastic.back());
+          }
+        else
+          plates.emplace_back(body,
+                              body.node_spacing > 0.
+                                  ? body.node_spacing
+                                  : 0.5 *
+                                        scene.particle_bodies.front().spacing);
+      }
+    plate_frequencies.assign(plates.size(), 0.);
+    responses.assign(plates.size(), "rigid");
     for (const auto &pair : scene.contact_pairs)
       {
         const unsigned int s = index_of(scene.particle_bodies, pair.food);
+        const unsigned int p = index_of(scene.rigid_bodies, pair.plate);
         pairs.push_back({s,
-                         index_of(scene.rigid_bodies, pair.plate),
-                         Contact::make_plate_contact(scene.contact,
-                                                     solids[s]->contact_side(),
-                                                     solids[s]->get_edges())});
+                         p,
+                         Contact::make_plate_contact(
+                             scene.contact,
+                             solids[s]->contact_side(),
+                             solids[s]->get_edges(),
+                             scene.rigid_bodies[p].deformation.elastic)});
       }
-    find_closing_axis();
-
     dt = stable_time_step();
     if (scene.time.time_step > 0.)
       dt = scene.time.time_step;
+    set_up_deformations(std::move(elastic));
+    find_closing_axis();
   }
 
 
@@ -67,7 +84,10 @@ namespace Morsel
         double stiffness = 0.;
         for (const auto &pair : pairs)
           if (pair.solid == s)
-            stiffness = std::max(stiffness, pair.contact->stiffness());
+            stiffness = std::max(stiffness,
+                                 pair.contact->stiffness() +
+                                     plate_frequencies[pair.plate] *
+                                         solids[s]->contact_side().mass);
         smallest = std::min(smallest, solids[s]->stable_time_step(stiffness));
       }
     return smallest;
@@ -85,6 +105,10 @@ namespace Morsel
             largest = std::abs(plate.body.motion.velocity[d]);
             axis    = d;
           }
+    // The food may fly into a body that is free.
+    const auto &flight = scene.particle_bodies.front().initial_velocity;
+    if (deforms && largest == 0.)
+      axis = std::abs(flight[0]) > std::abs(flight[1]) ? 0 : 1;
   }
 
 
@@ -105,18 +129,15 @@ namespace Morsel
         solid->add_grain_forces(dt);
     }
     const auto timer = log.section("contact with plates");
+    for (unsigned int p = 0; p < plates.size(); ++p)
+      if (plates[p].settles())
+        settle(p);
     for (auto &pair : pairs)
-      {
-        SPH::Solid &solid     = *solids[pair.solid];
-        const auto &particles = solid.get_particles();
-        solid.apply_forces(pair.contact->compute(particles.reference,
-                                                 particles.motion,
-                                                 particles.n_owned,
-                                                 dt,
-                                                 plates[pair.plate].surface));
-      }
+      solids[pair.solid]->apply_forces(plates[pair.plate].settles()
+                                           ? pair.contact->last_forces()
+                                           : press(pair));
     for (auto &plate : plates)
-      plate.account(steps == 0 ? 0.5 * dt : dt);
+      plate.account(steps == 0 ? 0.5 * dt : dt, dt);
     if (steps % steps_between_face_marks == 0)
       mark_loaded_faces();
   }
@@ -149,9 +170,13 @@ namespace Morsel
       for (auto &solid : solids)
         solid->advance(dt);
     }
-    const auto timer = log.section("failed food");
-    for (auto &solid : solids)
-      solid->advance_grains(dt);
+    {
+      const auto timer = log.section("failed food");
+      for (auto &solid : solids)
+        solid->advance_grains(dt);
+    }
+    for (auto &plate : plates)
+      plate.advance(dt);
     now = ++steps * dt;
   }
 
@@ -208,20 +233,29 @@ namespace Morsel
         e.dissipated_bonds += s.bond_heat;
         e.dissipated_granular_friction += s.friction_heat;
       }
-    double contact[3] = {0., 0., 0.};
+    double contact[5] = {0., 0., 0., 0., 0.};
     for (const auto &pair : pairs)
       {
         contact[0] += pair.contact->stored_energy();
         contact[1] += pair.contact->friction_heat();
       }
     for (const auto &plate : plates)
-      contact[2] += plate.work();
-    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(contact, 3),
+      {
+        contact[2] += plate.work();
+        if (const auto *const deformation = plate.get_deformation())
+          {
+            contact[3] += deformation->strain_energy();
+            contact[4] += deformation->kinetic_energy();
+          }
+      }
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(contact, 5),
                                 communicator,
-                                dealii::ArrayView<double>(contact, 3));
+                                dealii::ArrayView<double>(contact, 5));
     e.contact             = contact[0];
     e.dissipated_friction = contact[1];
     e.external_work       = contact[2];
+    e.plate_strain        = contact[3];
+    e.plate_kinetic       = contact[4];
     return e;
   }
 
@@ -229,7 +263,12 @@ namespace Morsel
   dealii::Tensor<1, 2>
   Bite::momentum() const
   {
-    return SPH::total_momentum(solids);
+    auto sum = SPH::total_momentum(solids);
+    for (const auto &plate : plates)
+      if (const auto *const deformation = plate.get_deformation())
+        sum +=
+            dealii::Utilities::MPI::sum(deformation->momentum(), communicator);
+    return sum;
   }
 
 

@@ -3,7 +3,7 @@
 
 #include <morsel/contact/plate_contact.h>
 #include <morsel/core/log.h>
-#include <morsel/jaw/rigid_plate.h>
+#include <morsel/jaw/plate.h>
 #include <morsel/measure/energy_ledger.h>
 #include <morsel/scene/scene.h>
 #include <morsel/sph/solid.h>
@@ -89,10 +89,17 @@ namespace Morsel
       return solids;
     }
 
-    const std::vector<Jaw::RigidPlate> &
+    const std::vector<Jaw::Plate> &
     get_plates() const
     {
       return plates;
+    }
+
+    /// rigid, quasi-static or dynamic.
+    const std::string &
+    response(const unsigned int plate) const
+    {
+      return responses[plate];
     }
 
     /// 0 = x, 1 = y: along which the plates close.
@@ -116,6 +123,22 @@ namespace Morsel
     void
     find_closing_axis();
 
+    /// Chooses how elastic plates answer, and a step that suits it.
+    void
+    set_up_deformations(
+        std::vector<std::unique_ptr<FE::ElasticBody>> &&elastic);
+
+    void
+    limit_step_by_plates(
+        const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic);
+
+    const std::vector<ParticleForce> &
+    press(Pair &pair);
+
+    /// Brings a plate without inertia into equilibrium with the food.
+    void
+    settle(unsigned int plate);
+
     void
     mark_loaded_faces();
 
@@ -127,8 +150,13 @@ namespace Morsel
     RunLog             &log;
 
     std::vector<std::unique_ptr<SPH::Solid>> solids;
-    std::vector<Jaw::RigidPlate>             plates;
+    std::vector<Jaw::Plate>                  plates;
+    std::vector<std::string>                 responses; ///< of the plates
     std::vector<Pair>                        pairs;
+
+    /// Largest squares of frequencies of plates on contact springs [1/s^2].
+    std::vector<double> plate_frequencies;
+    bool                deforms = false; ///< whether any plate does
 
     unsigned int       axis  = 1;
     double             dt    = 0.;

@@ -58,6 +58,17 @@ namespace Morsel
     }
 
 
+    bool
+    any_elastic(const Scene::Scene &scene)
+    {
+      return std::any_of(scene.rigid_bodies.begin(),
+                         scene.rigid_bodies.end(),
+                         [](const Scene::RigidBody &body) {
+                           return body.deformation.elastic;
+                         });
+    }
+
+
     std::vector<std::string>
     history_columns(const Scene::Scene &scene)
     {
@@ -82,6 +93,9 @@ namespace Morsel
                                "dissipated_friction",
                                "dissipated_granular_friction"})
         c.push_back(std::string(name) + " [J]");
+      if (any_elastic(scene))
+        c.insert(c.end(),
+                 {"plate_strain_energy [J]", "plate_kinetic_energy [J]"});
       c.insert(c.end(),
                {"energy_error [1]",
                 "momentum_error [1]",
@@ -186,6 +200,10 @@ namespace Morsel
         if (!bite.get_plates().empty())
           plate_frames = std::make_unique<Output::Frames<2>>(
               folder, "plates", communicator);
+        for (const auto &plate : bite.get_plates())
+          if (plate.get_deformation() && !elastic_frames)
+            elastic_frames = std::make_unique<Output::Frames<2>>(
+                folder, "elastic_plates", communicator);
       }
     find_fragments();
     intact = fragments;
@@ -236,6 +254,7 @@ namespace Morsel
     deepest          = std::max(deepest, bite.deepest_penetration());
     most_inverted    = std::max(most_inverted, bite.food().inverted_count());
     last_sample_time = bite.time();
+    follow_deflections();
 
     // Collective: on all ranks, not only on the one that writes.
     std::vector<double> forces;
@@ -263,8 +282,11 @@ namespace Morsel
                     e.dissipated_damage,
                     e.dissipated_bonds,
                     e.dissipated_friction,
-                    e.dissipated_granular_friction,
-                    error,
+                    e.dissipated_granular_friction});
+        if (any_elastic(scene))
+          row.insert(row.end(), {e.plate_strain, e.plate_kinetic});
+        row.insert(row.end(),
+                   {error,
                     momentum_error,
                     bite.food().failed_share(),
                     bite.time_step()});
@@ -343,6 +365,7 @@ namespace Morsel
     write_fragments();
 
     summarise_stroke(reason);
+    summarise_plates();
     summarise_break();
     summarise_fragments();
     summarise_fragment_sizes();

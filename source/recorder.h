@@ -80,6 +80,13 @@ namespace Morsel
     void
     write_frame();
 
+    /// Of those that deform.
+    void
+    write_elastic_plates();
+
+    void
+    follow_deflections();
+
     void
     write_fragments();
 
@@ -106,6 +113,9 @@ namespace Morsel
 
     void
     summarise_fragment_sizes();
+
+    void
+    summarise_plates();
 
     void
     summarise_ledgers();
@@ -137,7 +147,10 @@ namespace Morsel
     std::unique_ptr<Output::History>   history;
     std::unique_ptr<Output::Frames<0>> particle_frames;
     std::unique_ptr<Output::Frames<2>> plate_frames;
+    std::unique_ptr<Output::Frames<2>> elastic_frames;
     Output::Summary                    summary;
+
+    std::vector<double> deflections; ///< largest so far, by plate [m]
 
     double       last_sample_time = -1.;
     double       last_frame_time  = -1.;

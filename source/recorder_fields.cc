@@ -64,6 +64,8 @@ namespace Morsel
                         plate.velocity(),
                         plate.force()});
     Output::write_plates(*plate_frames, bite.time(), plates);
+    if (elastic_frames)
+      write_elastic_plates();
   }
 
 

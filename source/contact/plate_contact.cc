@@ -1,3 +1,4 @@
+#include <morsel/contact/gap_penalty.h>
 #include <morsel/contact/plate_contact.h>
 #include <morsel/core/kernel.h>
 
@@ -11,88 +12,6 @@ namespace Morsel::Contact
   {
     /// The search reaches this many spacings beyond the range.
     constexpr double margin_in_spacings = 3.;
-
-
-    /// Pressure from the gap between the edge of a particle, half a spacing
-    /// off unless told otherwise, and the nearest facet: f = k (-gap) along
-    /// the facet's normal, k = stiffness (lambda + 2 mu) times the depth, times
-    /// the width of edge over the spacing.
-    class GapPenalty : public PlateContact
-    {
-    public:
-      GapPenalty(const ContactParameters &parameters,
-                 const ParticleSide      &side,
-                 const ParticleEdges     &edges)
-          : PlateContact(parameters,
-                         side,
-                         largest(edges.distance, 0.5 * side.spacing))
-          , k(parameters.stiffness * side.p_wave_modulus * side.depth)
-          , edges(edges)
-      {}
-
-      double
-      stiffness() const override
-      {
-        return k * largest(edges.width, side.spacing) / side.spacing;
-      }
-
-    protected:
-      dealii::Tensor<1, 2>
-      press(const dealii::Point<2>     &x,
-            const dealii::Tensor<1, 2> &v,
-            const Candidate            &candidate,
-            const double                time_step,
-            Surface                    &surface) override
-      {
-        Projection   nearest{};
-        unsigned int facet = 0;
-        double       best  = std::numeric_limits<double>::max();
-        for (unsigned int c = candidate.first; c < candidate.last; ++c)
-          {
-            const auto p = project(surface, facets_near[c], x);
-            if (std::abs(p.distance) < best)
-              {
-                nearest = p;
-                best    = std::abs(p.distance);
-                facet   = facets_near[c];
-              }
-          }
-        const unsigned int i   = candidate.particle;
-        const double       gap = nearest.distance -
-                           (edges.distance.empty() ? range : edges.distance[i]);
-        if (gap >= 0.)
-          return {};
-        const double k = edges.width.empty()
-                             ? this->k
-                             : this->k * edges.width[i] / side.spacing;
-
-        const auto [first, second] = surface.facets[facet];
-        const double t             = nearest.parameter;
-        const auto   v_surface =
-            (1. - t) * surface.velocity[first] + t * surface.velocity[second];
-        const auto v_relative = v - v_surface;
-        const auto slip =
-            v_relative - (v_relative * nearest.normal) * nearest.normal;
-        const auto f =
-            -k * gap * nearest.normal + friction(-k * gap, slip, time_step);
-        surface.force[first] -= (1. - t) * f;
-        surface.force[second] -= t * f;
-        energy += 0.5 * k * gap * gap;
-        penetration = std::max(penetration, -gap);
-        return f;
-      }
-
-    private:
-      static double
-      largest(const std::vector<double> &values, const double otherwise)
-      {
-        return values.empty() ? otherwise
-                              : *std::max_element(values.begin(), values.end());
-      }
-
-      const double        k; ///< of a particle of a lattice [N/m]
-      const ParticleEdges edges;
-    };
 
 
     /// The thesis's potential (T4-1 to T4-3, sign corrected) between a
@@ -204,6 +123,7 @@ namespace Morsel::Contact
       , side(side)
       , range(range)
       , margin(margin_in_spacings * side.spacing)
+      , slipping_mass(side.mass)
   {}
 
 
@@ -220,9 +140,29 @@ namespace Morsel::Contact
                      reference[i][1] + motion[i].u_y};
     if (search_is_due(position, surface))
       search(position, surface);
+    heat_before = heat;
+    return press_all(motion, time_step, surface);
+  }
 
+
+  const std::vector<ParticleForce> &
+  PlateContact::compute_again(const std::vector<Motion> &motion,
+                              const double               time_step,
+                              Surface                   &surface)
+  {
+    heat = heat_before;
+    return press_all(motion, time_step, surface);
+  }
+
+
+  const std::vector<ParticleForce> &
+  PlateContact::press_all(const std::vector<Motion> &motion,
+                          const double               time_step,
+                          Surface                   &surface)
+  {
     energy = penetration = 0.;
     forces.clear();
+    begin(surface);
     for (const auto &c : candidates)
       {
         const Motion &m = motion[c.particle];
@@ -235,6 +175,15 @@ namespace Morsel::Contact
           forces.push_back({c.particle, f});
       }
     return forces;
+  }
+
+
+  const Touches &
+  PlateContact::touches() const
+  {
+    AssertThrow(false, dealii::ExcMessage("This law knows no deformation."));
+    static const Touches none;
+    return none;
   }
 
 
@@ -315,7 +264,7 @@ namespace Morsel::Contact
     if (parameters.friction == 0. || speed == 0.)
       return {};
     const double size = std::min(parameters.friction * normal_force,
-                                 0.5 * side.mass * speed / time_step);
+                                 0.5 * slipping_mass * speed / time_step);
     heat += size * speed * time_step;
     return -size / speed * slip;
   }
@@ -324,10 +273,13 @@ namespace Morsel::Contact
   std::unique_ptr<PlateContact>
   make_plate_contact(const ContactParameters &parameters,
                      const ParticleSide      &side,
-                     const ParticleEdges     &edges)
+                     const ParticleEdges     &edges,
+                     const bool               deformable)
   {
     if (parameters.law == "potential")
       return std::make_unique<NodePotential>(parameters, side);
+    if (deformable)
+      return std::make_unique<AveragedGap>(parameters, side, edges);
     return std::make_unique<GapPenalty>(parameters, side, edges);
   }
 } // namespace Morsel::Contact

@@ -21,31 +21,43 @@ namespace Morsel::Contact
                     const dealii::Point<2> &upper,
                     const double            node_spacing)
   {
-    Surface                s;
-    const dealii::Point<2> corners[4] = {
-        lower, {upper[0], lower[1]}, upper, {lower[0], upper[1]}};
-    s.name = name;
+    std::vector<dealii::Point<2>> nodes;
+    const dealii::Point<2>        corners[4] = {
+               lower, {upper[0], lower[1]}, upper, {lower[0], upper[1]}};
     for (unsigned int e = 0; e < 4; ++e)
       {
         const auto         edge = corners[(e + 1) % 4] - corners[e];
         const unsigned int n =
             std::max(1., std::ceil(edge.norm() / node_spacing - 1e-9));
         for (unsigned int k = 0; k < n; ++k)
-          s.nodes.push_back(corners[e] + edge * (static_cast<double>(k) / n));
+          nodes.push_back(corners[e] + edge * (static_cast<double>(k) / n));
       }
+    std::vector<std::pair<unsigned int, unsigned int>> facets;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      facets.emplace_back(k, (k + 1) % nodes.size());
+    return polyline_surface(name, nodes, facets);
+  }
 
-    const unsigned int n = s.nodes.size();
-    s.tributary.assign(n, 0.);
-    for (unsigned int k = 0; k < n; ++k)
+
+  Surface
+  polyline_surface(
+      const std::string                                        &name,
+      const std::vector<dealii::Point<2>>                      &nodes,
+      const std::vector<std::pair<unsigned int, unsigned int>> &facets)
+  {
+    Surface s;
+    s.name   = name;
+    s.nodes  = nodes;
+    s.facets = facets;
+    s.tributary.assign(nodes.size(), 0.);
+    for (const auto &[k, l] : facets)
       {
-        const unsigned int l    = (k + 1) % n;
-        const double       half = 0.5 * s.nodes[k].distance(s.nodes[l]);
-        s.facets.emplace_back(k, l);
+        const double half = 0.5 * nodes[k].distance(nodes[l]);
         s.tributary[k] += half;
         s.tributary[l] += half;
       }
-    s.velocity.resize(n);
-    s.force.resize(n);
+    s.velocity.resize(nodes.size());
+    s.force.resize(nodes.size());
     return s;
   }
 

@@ -8,7 +8,8 @@ namespace Morsel::Measure
   double
   Energies::stored() const
   {
-    return strain + hourglass + kinetic + contact + granular;
+    return strain + hourglass + kinetic + contact + granular + plate_strain +
+           plate_kinetic;
   }
 
 
@@ -29,6 +30,8 @@ namespace Morsel::Measure
                      std::abs(kinetic),
                      std::abs(contact),
                      std::abs(granular),
+                     std::abs(plate_strain),
+                     std::abs(plate_kinetic),
                      std::abs(external_work),
                      std::abs(dissipated_viscosity),
                      std::abs(dissipated_damage),

@@ -337,6 +337,9 @@ namespace Morsel::Scene
     Findings findings(entries, file_name);
     check_run(scene, findings);
     check_geometry(scene, findings);
+    for (const RigidBody &body : scene.rigid_bodies)
+      if (body.deformation.elastic)
+        check_elastic(body, scene, findings);
     for (const ParticleBody &body : scene.particle_bodies)
       {
         check_particles(body, scene, findings);

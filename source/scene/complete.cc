@@ -2,6 +2,7 @@
 #include <morsel/core/suggestions.h>
 #include <morsel/materials/catalogue.h>
 #include <morsel/scene/complete.h>
+#include <morsel/scene/outline.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -56,6 +57,35 @@ namespace Morsel::Scene
           const std::string where = last_place(entries, path);
           throw InputError((where.empty() ? file_name : where) + ": '" + path +
                            "' = '" + last_value(entries, path, "") +
+                           "': " + error.what() + ".");
+        }
+    }
+
+
+    /// An elastic body's mesh: its full path and its box.
+    void
+    complete_mesh(RigidBody                         &body,
+                  const std::string                 &file_name,
+                  const std::vector<ParameterEntry> &entries)
+    {
+      std::string &mesh = body.deformation.mesh_file;
+      if (mesh.empty())
+        return;
+      const std::string path = "Body " + body.name + "/Deformation/Mesh file";
+      try
+        {
+          mesh = std::filesystem::absolute(
+                     std::filesystem::path(file_name).parent_path() / mesh)
+                     .lexically_normal()
+                     .string();
+          const Outline outline   = outline_of_mesh(mesh);
+          body.shape.lower_corner = outline.lower();
+          body.shape.upper_corner = outline.upper();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(last_place(entries, path) + ": '" + path + "' = '" +
+                           last_value(entries, path, "") +
                            "': " + error.what() + ".");
         }
     }
@@ -136,7 +166,8 @@ namespace Morsel::Scene
           if (particle_names.count(pair.food) == 0 ||
               rigid_names.count(pair.plate) == 0)
             throw InputError(place + "'" + item +
-                             "' must join a particle body and a rigid one.");
+                             "' must join a particle body and a rigid or "
+                             "elastic one.");
           pairs.push_back(pair);
         }
       return pairs;
@@ -189,6 +220,8 @@ namespace Morsel::Scene
       scene.name = std::filesystem::path(file_name).stem().string();
     for (ParticleBody &body : scene.particle_bodies)
       complete_shape(body, file_name, entries);
+    for (RigidBody &body : scene.rigid_bodies)
+      complete_mesh(body, file_name, entries);
     if (last_place(entries, "Domain/Lower corner").empty() &&
         last_place(entries, "Domain/Upper corner").empty())
       scene.domain = box_around_bodies(scene);

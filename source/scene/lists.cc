@@ -4,6 +4,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <set>
 
 namespace Morsel::Scene
@@ -69,11 +70,13 @@ namespace Morsel::Scene
       {
         const std::string path = "Body " + name + "/Kind";
         const std::string kind = last_value(entries, path, "particles");
-        if (kind != "particles" && kind != "rigid")
+        const std::vector<std::string> kinds = {
+            "particles", "rigid", "elastic"};
+        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
           throw InputError(last_place(entries, path) + ": '" + path + "' = '" +
-                           kind +
-                           "' is not allowed: give 'particles' or 'rigid'." +
-                           did_you_mean(kind, {"particles", "rigid"}));
+                           kind + "' is not allowed: give one of " +
+                           quoted_list(kinds) + "." +
+                           did_you_mean(kind, kinds));
         parts.bodies.push_back({name, kind});
       }
     parts.conditions = list_names(entries, "Conditions", "condition");

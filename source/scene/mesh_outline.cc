@@ -1,9 +1,9 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/suggestions.h>
+#include <morsel/scene/mesh.h>
 #include <morsel/scene/outline.h>
 
 #include <deal.II/grid/grid_in.h>
-#include <deal.II/grid/tria.h>
 
 #include <filesystem>
 #include <fstream>
@@ -23,28 +23,6 @@ namespace Morsel::Scene
       unsigned int first, second; ///< vertices
       unsigned int boundary_id;
     };
-
-
-    /// Reads a mesh, with deal.II's own words kept from the terminal.
-    void
-    read_mesh(const std::string &file, dealii::Triangulation<2> &mesh)
-    {
-      if (!std::filesystem::is_regular_file(file))
-        throw InputError("there is no file '" + file + "'." +
-                         did_you_mean(file, files_beside(file)));
-      dealii::GridIn<2> reader(mesh);
-      try
-        {
-          reader.read(file);
-        }
-      catch (const std::exception &)
-        {
-          throw InputError("'" + file +
-                           "' is no mesh of the plane that can be read; give "
-                           "triangles or quadrilaterals, as in the files .msh "
-                           "of Gmsh.");
-        }
-    }
 
 
     /// The boundary faces by their first vertex.
@@ -130,7 +108,51 @@ namespace Morsel::Scene
         }
       return names;
     }
+    std::string
+    side_name(const std::map<unsigned int, std::string> &known,
+              const unsigned int                         id)
+    {
+      const auto name = known.find(id);
+      return name == known.end() || name->second.empty()
+                 ? "boundary " + std::to_string(id)
+                 : name->second;
+    }
   } // namespace
+
+
+  void
+  read_mesh(const std::string &file, dealii::Triangulation<2> &mesh)
+  {
+    if (!std::filesystem::is_regular_file(file))
+      throw InputError("there is no file '" + file + "'." +
+                       did_you_mean(file, files_beside(file)));
+    // deal.II's own words are kept from the terminal.
+    dealii::GridIn<2> reader(mesh);
+    try
+      {
+        reader.read(file);
+      }
+    catch (const std::exception &)
+      {
+        throw InputError("'" + file +
+                         "' is no mesh of the plane that can be read; give "
+                         "triangles or quadrilaterals, as in the files .msh "
+                         "of Gmsh.");
+      }
+  }
+
+
+  std::map<std::string, unsigned int>
+  sides_of_mesh(const std::string &file)
+  {
+    dealii::Triangulation<2> mesh;
+    read_mesh(file, mesh);
+    const auto                          known = physical_names(file);
+    std::map<std::string, unsigned int> sides;
+    for (const auto &[vertex, face] : boundary_faces(mesh, file))
+      sides[side_name(known, face.boundary_id)] = face.boundary_id;
+    return sides;
+  }
 
 
   Outline
@@ -140,17 +162,12 @@ namespace Morsel::Scene
     read_mesh(file, mesh);
     std::map<unsigned int, Face> faces = boundary_faces(mesh, file);
 
-    auto                                 known = physical_names(file);
+    const auto                           known = physical_names(file);
     std::map<unsigned int, unsigned int> side_of_id;
     std::vector<std::string>             names;
     for (const auto &[vertex, face] : faces)
       if (side_of_id.emplace(face.boundary_id, side_of_id.size()).second)
-        {
-          const std::string &name = known[face.boundary_id];
-          names.push_back(name.empty()
-                              ? "boundary " + std::to_string(face.boundary_id)
-                              : name);
-        }
+        names.push_back(side_name(known, face.boundary_id));
 
     std::vector<Outline::Loop> loops;
     while (!faces.empty())

@@ -60,10 +60,12 @@ namespace Morsel::Scene
       for (const NamedBody &body : bodies)
         {
           body_names.push_back(body.name);
-          if (body.kind == "rigid")
+          if (body.kind == "rigid" || body.kind == "elastic")
             {
               scene.rigid_bodies.emplace_back();
               scene.rigid_bodies.back().name = body.name;
+              scene.rigid_bodies.back().deformation.elastic =
+                  body.kind == "elastic";
             }
           else
             {
@@ -104,7 +106,8 @@ namespace Morsel::Scene
       prm.add_parameter("Pairs",
                         pairs,
                         "Bodies that may touch, as 'food:plate, ...'; every "
-                        "particle body with every rigid one if empty.");
+                        "particle body with every rigid or elastic one if "
+                        "empty.");
       scene.contact.declare(prm);
       prm.leave_subsection();
 
@@ -164,11 +167,13 @@ namespace Morsel::Scene
     Declaration::declare_body(const NamedBody &body)
     {
       prm.enter_subsection("Body " + body.name);
-      prm.declare_entry("Kind",
-                        body.kind == "rigid" ? "rigid" : "particles",
-                        Patterns::Selection("particles|rigid"),
-                        "'particles' (a deformable solid that can break) or "
-                        "'rigid' (moves as told).");
+      prm.declare_entry(
+          "Kind",
+          body.kind,
+          Patterns::Selection("particles|rigid|elastic"),
+          "'particles' (a deformable solid that can break), "
+          "'rigid' (moves as told) or 'elastic' (finite elements, "
+          "held at sides that move as told).");
       for (ParticleBody &particles : scene.particle_bodies)
         if (particles.name == body.name)
           particles.declare(prm);
@@ -236,6 +241,22 @@ namespace Morsel::Scene
           prm.leave_subsection();
           prm.leave_subsection();
         }
+
+      for (const RigidBody &body : scene.rigid_bodies)
+        if (!body.deformation.mesh_file.empty())
+          {
+            const Rectangle   box  = body.shape;
+            const std::string mesh = body.deformation.mesh_file;
+            prm.enter_subsection("Body " + body.name);
+            prm.enter_subsection("Shape");
+            prm.set("Lower corner", point_text(box.lower_corner));
+            prm.set("Upper corner", point_text(box.upper_corner));
+            prm.leave_subsection();
+            prm.enter_subsection("Deformation");
+            prm.set("Mesh file", mesh);
+            prm.leave_subsection();
+            prm.leave_subsection();
+          }
 
       std::string list;
       for (const ContactPair &pair : scene.contact_pairs)
@@ -340,7 +361,8 @@ namespace Morsel::Scene
       parts = list_parts(file_name, entries);
     else
       {
-        parts.bodies     = {{"food", "particles"}, {"plate", "rigid"}};
+        parts.bodies = {
+            {"food", "particles"}, {"plate", "rigid"}, {"tooth", "elastic"}};
         parts.conditions = {"load"};
         parts.observers  = {"tip"};
       }

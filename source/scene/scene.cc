@@ -175,17 +175,24 @@ namespace Morsel::Scene
     shape.declare(prm);
     prm.leave_subsection();
 
-    prm.enter_subsection("Surface");
-    prm.add_parameter("Node spacing",
-                      node_spacing,
-                      "Spacing of the nodes on the surface [m]; 0 takes half "
-                      "the particle spacing of the food.",
-                      Patterns::Double(0.));
-    prm.leave_subsection();
+    // An elastic body has the nodes of its mesh.
+    if (!deformation.elastic)
+      {
+        prm.enter_subsection("Surface");
+        prm.add_parameter("Node spacing",
+                          node_spacing,
+                          "Spacing of the nodes on the surface [m]; 0 takes "
+                          "half the particle spacing of the food.",
+                          Patterns::Double(0.));
+        prm.leave_subsection();
+      }
 
     prm.enter_subsection("Motion");
     motion.declare(prm);
     prm.leave_subsection();
+
+    if (deformation.elastic)
+      deformation.declare(prm);
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <morsel/contact/parameters.h>
 #include <morsel/contact/surface.h>
+#include <morsel/contact/touches.h>
 #include <morsel/core/particle_edges.h>
 #include <morsel/core/records.h>
 
@@ -29,6 +30,25 @@ namespace Morsel::Contact
             unsigned int                         n_owned,
             double                               time_step,
             Surface                             &surface);
+
+    /// The same once more for the same particles, after the surface's nodes
+    /// have moved by less than the search margin: in place of the last call.
+    const std::vector<ParticleForce> &
+    compute_again(const std::vector<Motion> &motion,
+                  double                     time_step,
+                  Surface                   &surface);
+
+    /// The forces of the last call.
+    const std::vector<ParticleForce> &
+    last_forces() const
+    {
+      return forces;
+    }
+
+    /// How they change with the surface.
+    /// @pre the law is that of a surface that deforms
+    virtual const Touches &
+    touches() const;
 
     /// Particles whose centres are within @p distance [m] of the surface, as
     /// they stood at the last compute(); no further than the search margin
@@ -57,6 +77,14 @@ namespace Morsel::Contact
       return penetration;
     }
 
+    /// Mass that resists a slip [kg] where the surface gives way to friction,
+    /// too: the particle's own as long as nothing is said.
+    void
+    set_slipping_mass(const double mass)
+    {
+      slipping_mass = mass;
+    }
+
     /// Stiffness of one particle against the surface [N/m]; bounds the step.
     virtual double
     stiffness() const = 0;
@@ -71,6 +99,11 @@ namespace Morsel::Contact
     {
       unsigned int particle, first, last;
     };
+
+    /// Called before the particles are gone through.
+    virtual void
+    begin(const Surface &)
+    {}
 
     /// Force on a particle at @p x with velocity @p v.
     virtual dealii::Tensor<1, 2>
@@ -87,6 +120,13 @@ namespace Morsel::Contact
              const dealii::Tensor<1, 2> &slip,
              double                      time_step);
 
+    /// Friction over slip where it stops a particle within the step [N s/m].
+    double
+    sticking_rate(const double time_step) const
+    {
+      return 0.5 * slipping_mass / time_step;
+    }
+
     const ContactParameters parameters;
     const ParticleSide      side;
     const double            range; ///< [m], nothing acts beyond it
@@ -96,6 +136,11 @@ namespace Morsel::Contact
     double                    energy = 0., heat = 0., penetration = 0.;
 
   private:
+    const std::vector<ParticleForce> &
+    press_all(const std::vector<Motion> &motion,
+              double                     time_step,
+              Surface                   &surface);
+
     void
     search(const std::vector<dealii::Point<2>> &x, const Surface &surface);
 
@@ -106,16 +151,20 @@ namespace Morsel::Contact
     const double                  margin;
     std::vector<dealii::Point<2>> position, searched_at, searched_nodes;
     std::vector<ParticleForce>    forces;
+    double                        heat_before = 0.;
+    double                        slipping_mass;
   };
 
 
   /// The contact law that the parameters name.
   /// @param edges where the gap of each particle begins, and how much of the
   ///   surface it carries: of no account for the potential
+  /// @param deformable whether the surface is that of a body that deforms
   std::unique_ptr<PlateContact>
   make_plate_contact(const ContactParameters &parameters,
                      const ParticleSide      &side,
-                     const ParticleEdges     &edges = {});
+                     const ParticleEdges     &edges      = {},
+                     bool                     deformable = false);
 } // namespace Morsel::Contact
 
 #endif

@@ -40,6 +40,14 @@ namespace Morsel::Contact
                     double                  node_spacing);
 
 
+  /// Surface of closed polylines, the body to the left of each facet.
+  Surface
+  polyline_surface(
+      const std::string                                        &name,
+      const std::vector<dealii::Point<2>>                      &nodes,
+      const std::vector<std::pair<unsigned int, unsigned int>> &facets);
+
+
   /// Where a point stands to one facet.
   struct Projection
   {

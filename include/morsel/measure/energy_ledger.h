@@ -17,6 +17,9 @@ namespace Morsel::Measure
     double contact   = 0.; ///< stored in the contact springs
     double granular  = 0.; ///< stored in the response of failed food
 
+    double plate_strain  = 0.; ///< in plates that deform
+    double plate_kinetic = 0.; ///< of plates that deform and have inertia
+
     double external_work = 0.; ///< done by the plates on what is simulated
 
     double dissipated_viscosity         = 0.;

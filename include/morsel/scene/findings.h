@@ -68,6 +68,11 @@ namespace Morsel::Scene
   check_geometry(const Scene &scene, Findings &findings);
 
 
+  /// Checks how a plate that deforms is made, held and moved.
+  void
+  check_elastic(const RigidBody &body, const Scene &scene, Findings &findings);
+
+
   /// Checks that a body has particles enough, not too many, and rows that fit.
   void
   check_particles(const ParticleBody &body,

@@ -4,6 +4,7 @@
 #include <morsel/contact/parameters.h>
 #include <morsel/fracture/parameters.h>
 #include <morsel/jaw/motion.h>
+#include <morsel/jaw/parameters.h>
 #include <morsel/materials/grains.h>
 #include <morsel/materials/parameters.h>
 #include <morsel/scene/body_shape.h>
@@ -86,20 +87,22 @@ namespace Morsel::Scene
   };
 
 
-  /// A rigid body that moves as told: a plate.
+  /// A body that moves as told: a plate, rigid or, where its deformation is
+  /// elastic, held at some of its sides.
   struct RigidBody
   {
     std::string           name;
     Rectangle             shape;
     double                node_spacing = 0.; ///< of its surface [m], 0 = dp/2
     Jaw::MotionParameters motion;
+    Jaw::DeformationParameters deformation;
 
     void
     declare(dealii::ParameterHandler &prm);
   };
 
 
-  /// Two bodies that may touch: a particle body and a rigid one.
+  /// Two bodies that may touch: a particle body and a plate.
   struct ContactPair
   {
     std::string food;

@@ -1,0 +1,86 @@
+#ifndef morsel_jaw_dynamic_deformation_h
+#define morsel_jaw_dynamic_deformation_h
+
+#include <morsel/jaw/deformation.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace Morsel::Jaw
+{
+  /// An elastic body with inertia, implicit in its own stiffness by Newmark's
+  /// average acceleration (beta 1/4) and explicit in the contact forces
+  /// (Hughes and Liu 1978): with u at whole and v at half steps
+  ///   M (u+ - 2 u + u-)/dt^2 + K (u+ + 2 u + u-)/4 = f(u),
+  /// which is leapfrog, as for the particles, with M + dt^2 K/4 in place of
+  /// the mass. So body and food exchange the same impulse at the same
+  /// moment, the energy of their contact is kept as well as among particles,
+  /// and the step is limited by contact_frequency() alone.
+  class DynamicDeformation : public Deformation
+  {
+  public:
+    /// @param time_step of account() and advance() [s]
+    DynamicDeformation(std::unique_ptr<FE::ElasticBody> body,
+                       const dealii::Tensor<1, 2>      &initial_velocity,
+                       double                           time_step,
+                       MPI_Comm                         communicator);
+
+    void
+    add_to(Contact::Surface &surface) const override;
+
+    dealii::Tensor<1, 2>
+    account(const Contact::Surface &surface, const DriveKick &drive) override;
+
+    void
+    advance(double time_step) override;
+
+    double
+    strain_energy() const override;
+
+    /// v (M + dt^2 K/4) v/2 - dt^2 a (M + dt^2 K/4) a/8 with the velocity of
+    /// the whole step: together with the strain energy what the scheme keeps.
+    double
+    kinetic_energy() const override;
+
+    dealii::Tensor<1, 2>
+    momentum() const override;
+
+    Eigen::VectorXd
+    displacement() const override
+    {
+      return w;
+    }
+
+  private:
+    const MPI_Comm   communicator;
+    const bool       first_rank;
+    const double     dt;
+    FE::Multifrontal factors; ///< of K + 4 M/dt^2
+
+    /// Mass and stiffness times a uniform displacement of all dofs or of
+    /// the held ones, by component.
+    std::array<Eigen::VectorXd, 2> ones, held_ones, mass_of_ones, mass_of_held,
+        stiffness_of_held;
+
+    Eigen::VectorXd w, half_velocity, acceleration;
+    Eigen::VectorXd outer_loads; ///< of contact and of the drive's motion [N]
+    /// Velocity at the whole step, as it was known when the step began [m/s].
+    Eigen::VectorXd surface_velocity;
+    DriveKick       last_drive{0., {}, {}};
+    double          lag = 0.; ///< from the half step to the whole one [s]
+  };
+
+
+  /// Largest square of a frequency [1/s^2] of the mass of a body on contact
+  /// springs all along its surface. The body's own stiffness drops out of the
+  /// limit of the step: 4/dt^2 (M + dt^2 K/4) > K + K_contact.
+  /// @param foundation stiffness per length of surface [N/m^2]
+  /// @param tributary length of surface that belongs to each node [m]
+  /// @param time_step with M + dt^2 K/4 in place of M, if not 0 [s]
+  double
+  contact_frequency(const FE::ElasticBody     &body,
+                    double                     foundation,
+                    const std::vector<double> &tributary,
+                    double                     time_step = 0.);
+} // namespace Morsel::Jaw
+
+#endif

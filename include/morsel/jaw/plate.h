@@ -1,0 +1,113 @@
+#ifndef morsel_jaw_plate_h
+#define morsel_jaw_plate_h
+
+#include <morsel/contact/surface.h>
+#include <morsel/jaw/deformation.h>
+#include <morsel/scene/scene.h>
+
+#include <memory>
+
+namespace Morsel::Jaw
+{
+  /// A body with a surface that moves as prescribed, rigid or with a
+  /// deformation of its own, and the account of what moving it costs.
+  class Plate
+  {
+  public:
+    /// A rigid rectangle.
+    /// @param node_spacing of the surface [m].
+    Plate(const Scene::RigidBody &body, double node_spacing);
+
+    /// With the surface of a mesh, rigid as long as no deformation is given.
+    Plate(const Scene::RigidBody &body, const FE::ElasticBody &mesh);
+
+    void
+    set_deformation(std::unique_ptr<Deformation> deformation);
+
+    /// Null for a rigid one.
+    const Deformation *
+    get_deformation() const
+    {
+      return deformation.get();
+    }
+
+    /// Puts the surface where it is at a time [s] and clears its forces.
+    void
+    move_to(double time);
+
+    /// Whether its shape depends on the contact forces of the same moment.
+    bool
+    settles() const
+    {
+      return deformation && deformation->settles();
+    }
+
+    /// See Deformation::settle(). If it says no, contact has to be computed
+    /// anew on the surface, whose forces are cleared.
+    bool
+    settle(const std::vector<const Contact::Touches *> &touches,
+           double                                       time_step);
+
+    /// Takes the forces on the surface into account: work done by the drive
+    /// since the last call (trapezoidal rule) and impulse given by it over
+    /// @p kick seconds. Call it once per step after contact.
+    /// @param time_step that follows [s]
+    void
+    account(double kick, double time_step);
+
+    /// Moves the deformation on.
+    void
+    advance(const double time_step)
+    {
+      if (deformation)
+        deformation->advance(time_step);
+    }
+
+    const dealii::Tensor<1, 2> &
+    displacement() const
+    {
+      return moved;
+    }
+
+    const dealii::Tensor<1, 2> &
+    velocity() const
+    {
+      return speed;
+    }
+
+    /// Force of the food on the plate at the last account() [N].
+    const dealii::Tensor<1, 2> &
+    force() const
+    {
+      return load;
+    }
+
+    /// Work that the drive has done on the plate and the food [J].
+    double
+    work() const
+    {
+      return work_done;
+    }
+
+    /// Impulse that the drive has given to them up to the last half step
+    /// at which the food's velocities stand [N s].
+    const dealii::Tensor<1, 2> &
+    impulse() const
+    {
+      return impulse_given;
+    }
+
+    const Scene::RigidBody &body;
+    Contact::Surface        surface;
+
+  private:
+    std::unique_ptr<Deformation>  deformation;
+    std::vector<dealii::Point<2>> initial_nodes;
+    double                        now = 0.;
+    dealii::Tensor<1, 2>          moved, speed, load, push, impulse_given,
+        impulse_to_come, accounted_at, half_step_velocity;
+    double work_done = 0.;
+  };
+} // namespace Morsel::Jaw
+
+#endif

@@ -1,0 +1,117 @@
+#include "bite.h"
+#include "elastic_plates.h"
+
+#include <morsel/core/suggestions.h>
+#include <morsel/jaw/dynamic_deformation.h>
+#include <morsel/jaw/quasi_static_deformation.h>
+
+#include <algorithm>
+
+namespace Morsel
+{
+  void
+  Bite::set_up_deformations(
+      std::vector<std::unique_ptr<FE::ElasticBody>> &&elastic)
+  {
+    for (unsigned int p = 0; p < plates.size(); ++p)
+      if (elastic[p])
+        {
+          const auto choice = choose_response(
+              scene,
+              plates[p].body,
+              *elastic[p],
+              dealii::Utilities::MPI::n_mpi_processes(communicator));
+          responses[p] = choice.response;
+          log << "Body '" << plates[p].body.name << "', "
+              << elastic[p]->n_cells() << " cells: " << choice.response
+              << ", since " << choice.reason << ".\n";
+        }
+    limit_step_by_plates(elastic);
+
+    for (unsigned int p = 0; p < plates.size(); ++p)
+      {
+        if (responses[p] == "quasi-static")
+          plates[p].set_deformation(
+              std::make_unique<Jaw::QuasiStaticDeformation>(
+                  std::move(elastic[p])));
+        else if (responses[p] == "dynamic")
+          plates[p].set_deformation(std::make_unique<Jaw::DynamicDeformation>(
+              std::move(elastic[p]),
+              plates[p].body.deformation.initial_velocity,
+              dt,
+              communicator));
+        deforms = deforms || plates[p].get_deformation() != nullptr;
+      }
+  }
+
+
+  void
+  Bite::limit_step_by_plates(
+      const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic)
+  {
+    for (const auto &pair : pairs)
+      if (responses[pair.plate] == "dynamic")
+        plate_frequencies[pair.plate] =
+            std::max(plate_frequencies[pair.plate],
+                     Jaw::contact_frequency(
+                         *elastic[pair.plate],
+                         pair.contact->stiffness() /
+                             solids[pair.solid]->contact_side().spacing,
+                         plates[pair.plate].surface.tributary));
+    const double stable = stable_time_step();
+    if (scene.time.time_step == 0.)
+      dt = stable;
+    // Friction that stops a particle against a surface at rest would turn a
+    // light surface around.
+    for (const auto &pair : pairs)
+      if (responses[pair.plate] == "dynamic")
+        {
+          const auto   side      = solids[pair.solid]->contact_side();
+          const double stiffness = pair.contact->stiffness();
+          const double frequency =
+              Jaw::contact_frequency(*elastic[pair.plate],
+                                     stiffness / side.spacing,
+                                     plates[pair.plate].surface.tributary,
+                                     dt);
+          pair.contact->set_slipping_mass(
+              1. / (1. / side.mass + frequency / stiffness));
+        }
+    if (dt > stable && *std::max_element(plate_frequencies.begin(),
+                                         plate_frequencies.end()) > 0.)
+      log.warning("'Time/Time step' exceeds the stable step of contact with "
+                  "elastic plates, " +
+                  number_text(stable) + " s.");
+  }
+
+
+  const std::vector<ParticleForce> &
+  Bite::press(Pair &pair)
+  {
+    const auto &particles = solids[pair.solid]->get_particles();
+    return pair.contact->compute(particles.reference,
+                                 particles.motion,
+                                 particles.n_owned,
+                                 dt,
+                                 plates[pair.plate].surface);
+  }
+
+
+  void
+  Bite::settle(const unsigned int plate)
+  {
+    std::vector<const Contact::Touches *> touches;
+    for (auto &pair : pairs)
+      if (pair.plate == plate)
+        {
+          press(pair);
+          touches.push_back(&pair.contact->touches());
+        }
+    while (!plates[plate].settle(touches, dt))
+      for (auto &pair : pairs)
+        if (pair.plate == plate)
+          pair.contact->compute_again(
+              solids[pair.solid]->get_particles().motion,
+              dt,
+              plates[plate].surface);
+  }
+} // namespace Morsel

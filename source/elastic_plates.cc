@@ -1,0 +1,179 @@
+#include "elastic_plates.h"
+
+#include <morsel/core/suggestions.h>
+#include <morsel/fe/plate_mesh.h>
+#include <morsel/scene/mesh.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Morsel
+{
+  namespace
+  {
+    /// A body that answers within this share of the loading has no inertia.
+    constexpr double quick_answer = 0.1;
+
+
+    std::set<dealii::types::boundary_id>
+    held_ids(const Scene::RigidBody &plate)
+    {
+      std::map<std::string, unsigned int> ids = {
+          {"left", FE::PlateSide::left},
+          {"right", FE::PlateSide::right},
+          {"bottom", FE::PlateSide::bottom},
+          {"top", FE::PlateSide::top}};
+      if (!plate.deformation.mesh_file.empty())
+        ids = Scene::sides_of_mesh(plate.deformation.mesh_file);
+      std::set<dealii::types::boundary_id> held;
+      for (const auto &name : dealii::Utilities::split_string_list(
+               plate.deformation.held_sides, ','))
+        held.insert(ids.at(name));
+      return held;
+    }
+
+
+    /// Pressure 1 Pa on the part of the surface that faces the food.
+    Eigen::VectorXd
+    pressure_of_food(const FE::ElasticBody     &body,
+                     const Scene::ParticleBody &food,
+                     const unsigned int         axis,
+                     const double               depth)
+    {
+      const auto  &nodes = body.surface_nodes();
+      const double middle =
+          0.5 * (food.shape.lower_corner[axis] + food.shape.upper_corner[axis]);
+      const unsigned int across = 1 - axis;
+      Eigen::VectorXd    f      = Eigen::VectorXd::Zero(2 * nodes.size());
+      for (const auto &[first, second] : body.surface_facets())
+        {
+          const auto                 edge = nodes[second] - nodes[first];
+          const dealii::Point<2>     x    = nodes[first] + 0.5 * edge;
+          const dealii::Tensor<1, 2> outward({edge[1], -edge[0]});
+          if (outward[axis] * (middle - x[axis]) <= 0. ||
+              x[across] < food.shape.lower_corner[across] ||
+              x[across] > food.shape.upper_corner[across])
+            continue;
+          for (const unsigned int k : {first, second})
+            for (unsigned int d = 0; d < 2; ++d)
+              f[2 * k + d] -= 0.5 * depth * outward[d];
+        }
+      return f;
+    }
+
+
+    /// From the beginning of contact to the food's failure, or to the end of
+    /// the run [s]; infinite if nothing moves.
+    double
+    loading_time(const Scene::Scene        &scene,
+                 const Scene::ParticleBody &food,
+                 const double               food_compliance,
+                 const double               height)
+    {
+      double speed = 0.;
+      for (const auto &plate : scene.rigid_bodies)
+        speed += plate.motion.velocity.norm();
+      if (speed == 0.)
+        return 0.;
+      const double strength = food.material.compressive_strength;
+      const double closure  = strength > 0.
+                                  ? strength * food_compliance
+                                  : scene.stop.maximum_closure * height;
+      return std::min(scene.time.end_time, closure / speed);
+    }
+  } // namespace
+
+
+  std::unique_ptr<FE::ElasticBody>
+  make_elastic_body(const Scene::Scene &scene, const Scene::RigidBody &plate)
+  {
+    const auto &given = plate.deformation;
+    auto        mesh  = std::make_unique<dealii::Triangulation<2>>();
+    if (given.mesh_file.empty())
+      {
+        const double side =
+            std::min(plate.shape.extent(0), plate.shape.extent(1));
+        const double size =
+            given.cell_size > 0.
+                ? given.cell_size
+                : std::min(
+                      side,
+                      std::max(0.125 * side,
+                               2. * scene.particle_bodies.front().spacing));
+        unsigned int n[2];
+        for (unsigned int d = 0; d < 2; ++d)
+          n[d] = std::max(1., std::ceil(plate.shape.extent(d) / size - 1e-9));
+        FE::make_plate(*mesh,
+                       plate.shape.lower_corner,
+                       plate.shape.upper_corner,
+                       n[0],
+                       n[1]);
+      }
+    else
+      Scene::read_mesh(given.mesh_file, *mesh);
+
+    FE::ElasticBodyProperties properties;
+    properties.youngs_modulus = given.youngs_modulus;
+    properties.poissons_ratio = given.poissons_ratio;
+    properties.density        = given.density;
+    properties.depth          = scene.depth;
+    properties.degree         = given.degree;
+    properties.held           = held_ids(plate);
+    return std::make_unique<FE::ElasticBody>(std::move(mesh), properties);
+  }
+
+
+  ResponseChoice
+  choose_response(const Scene::Scene     &scene,
+                  const Scene::RigidBody &plate,
+                  const FE::ElasticBody  &body,
+                  const unsigned int      n_ranks)
+  {
+    const auto &given = plate.deformation;
+    if (given.response != "auto")
+      return {given.response, "the scene says so"};
+    if (!body.is_held())
+      return {"dynamic", "nothing holds it"};
+
+    // Towards the food along the axis on which they are farthest apart.
+    const auto          &food = scene.particle_bodies.front();
+    dealii::Tensor<1, 2> apart;
+    for (unsigned int d = 0; d < 2; ++d)
+      apart[d] =
+          std::max(plate.shape.lower_corner[d] - food.shape.upper_corner[d],
+                   food.shape.lower_corner[d] - plate.shape.upper_corner[d]);
+    const unsigned int axis = apart[0] > apart[1] ? 0 : 1;
+
+    const Eigen::VectorXd f = pressure_of_food(body, food, axis, scene.depth);
+    const Eigen::VectorXd u =
+        body.factorise(1., 0.).solve(body.trace().transpose() * f);
+    const double yields = (body.trace() * u).lpNorm<Eigen::Infinity>();
+    const double nu     = food.material.poissons_ratio;
+    const double height = food.shape.extent(axis);
+    const double food_yields =
+        height * (1. - nu * nu) / food.material.youngs_modulus;
+    const double      ratio = yields / food_yields;
+    const std::string share =
+        "it yields " + number_text(100. * ratio) +
+        " % of what the food does under the same pressure (tolerance " +
+        number_text(100. * given.tolerance) + " %)";
+    if (ratio < given.tolerance)
+      return {"rigid", share};
+
+    const double period =
+        2. * dealii::numbers::PI *
+        std::sqrt(u.dot(body.mass() * u) / u.dot(body.stiffness() * u));
+    const double      time = loading_time(scene, food, food_yields, height);
+    const std::string times =
+        share + ", and its period of " + number_text(period) +
+        " s compares with a loading of " + number_text(time) + " s";
+    if (period > quick_answer * time)
+      return {"dynamic", times};
+    if (n_ranks > 1 || scene.contact.law != "gap penalty")
+      return {"dynamic",
+              times + "; 'quasi-static' needs one rank and the gap penalty"};
+    return {"quasi-static", times};
+  }
+} // namespace Morsel
