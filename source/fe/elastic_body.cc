@@ -69,32 +69,38 @@ namespace Morsel::FE
 
 
   void
-  ElasticBody::make_matrices()
+  ElasticBody::for_each_element(const UseOfElement &use) const
   {
-    std::vector<Eigen::Triplet<double>> stiffness, mass;
-    CellFunctions                       functions(*space);
+    CellFunctions functions(*space);
     for (const auto &cell : space->get_dof_handler().active_cell_iterators())
       {
         const QuadMap         map = make_map(cell);
         const LocalNumbering &n = space->get_numbering(cell->active_fe_index());
         const CellQuadrature  q = functions.quadrature(cell, map, 1);
-        const auto            dofs = dofs_of(cell);
         functions.evaluate(cell, map, q.points, q.reference);
-        const Eigen::MatrixXd k =
-            element_stiffness(functions, n, q.weights, material, 0.);
-        const Eigen::MatrixXd m = element_mass(functions, n, q.weights);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          for (unsigned int j = 0; j < dofs.size(); ++j)
-            {
-              stiffness.emplace_back(
-                  dofs[i], dofs[j], properties.depth * k(i, j));
-              if (m(i, j) != 0.)
-                mass.emplace_back(dofs[i],
-                                  dofs[j],
-                                  properties.depth * properties.density *
-                                      m(i, j));
-            }
+        use({cell->center(),
+             dofs_of(cell),
+             properties.depth *
+                 element_stiffness(functions, n, q.weights, material, 0.),
+             properties.depth * properties.density *
+                 element_mass(functions, n, q.weights)});
       }
+  }
+
+
+  void
+  ElasticBody::make_matrices()
+  {
+    std::vector<Eigen::Triplet<double>> stiffness, mass;
+    for_each_element([&](const Element &e) {
+      for (unsigned int i = 0; i < e.dofs.size(); ++i)
+        for (unsigned int j = 0; j < e.dofs.size(); ++j)
+          {
+            stiffness.emplace_back(e.dofs[i], e.dofs[j], e.stiffness(i, j));
+            if (e.mass(i, j) != 0.)
+              mass.emplace_back(e.dofs[i], e.dofs[j], e.mass(i, j));
+          }
+    });
     K.resize(n_dofs(), n_dofs());
     M.resize(n_dofs(), n_dofs());
     K.setFromTriplets(stiffness.begin(), stiffness.end());
@@ -198,36 +204,24 @@ namespace Morsel::FE
     Assert(mass_factor > 0. || is_held(),
            ExcMessage("A body that nothing holds has no static stiffness."));
     std::vector<ElementSystem> elements;
-    CellFunctions              functions(*space);
-    for (const auto &cell : space->get_dof_handler().active_cell_iterators())
-      {
-        const QuadMap         map = make_map(cell);
-        const LocalNumbering &n = space->get_numbering(cell->active_fe_index());
-        const CellQuadrature  q = functions.quadrature(cell, map, 1);
-        const auto            dofs = dofs_of(cell);
-        functions.evaluate(cell, map, q.points, q.reference);
-        Eigen::MatrixXd matrix =
-            stiffness_factor *
-            element_stiffness(functions, n, q.weights, material, 0.);
-        matrix += mass_factor * properties.density *
-                  element_mass(functions, n, q.weights);
-        matrix *= properties.depth;
-
-        std::vector<unsigned int> is_free;
-        ElementSystem             e;
-        e.center = cell->center();
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          if (held_dofs[dofs[i]] == 0.)
-            {
-              is_free.push_back(i);
-              e.dofs.push_back(dofs[i]);
-            }
-        if (is_free.empty())
-          continue;
-        e.matrix = matrix(is_free, is_free);
-        e.rhs    = Eigen::VectorXd::Zero(is_free.size());
-        elements.push_back(std::move(e));
-      }
+    for_each_element([&](const Element &element) {
+      std::vector<unsigned int> is_free;
+      ElementSystem             e;
+      e.center = element.center;
+      for (unsigned int i = 0; i < element.dofs.size(); ++i)
+        if (held_dofs[element.dofs[i]] == 0.)
+          {
+            is_free.push_back(i);
+            e.dofs.push_back(element.dofs[i]);
+          }
+      if (is_free.empty())
+        return;
+      const Eigen::MatrixXd matrix =
+          stiffness_factor * element.stiffness + mass_factor * element.mass;
+      e.matrix = matrix(is_free, is_free);
+      e.rhs    = Eigen::VectorXd::Zero(is_free.size());
+      elements.push_back(std::move(e));
+    });
     Multifrontal factors;
     factors.factorise(std::move(elements), n_dofs());
     return factors;

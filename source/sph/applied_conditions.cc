@@ -7,16 +7,6 @@ namespace Morsel::SPH
 {
   namespace
   {
-    dealii::Tensor<1, 2>
-    as_tensor(const Vector2 &v)
-    {
-      dealii::Tensor<1, 2> t;
-      t[0] = v.x;
-      t[1] = v.y;
-      return t;
-    }
-
-
     /// Corrects accelerations until all prescribed velocities hold. Conditions
     /// that meet at a corner share particles: Gauss-Seidel on reactions.
     void

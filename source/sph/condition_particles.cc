@@ -29,16 +29,6 @@ namespace Morsel::SPH
     }
 
 
-    dealii::Tensor<1, 2>
-    as_tensor(const Vector2 &v)
-    {
-      dealii::Tensor<1, 2> t;
-      t[0] = v.x;
-      t[1] = v.y;
-      return t;
-    }
-
-
     /// The particles near a side whose surface vectors are its own: they
     /// differ from zero up to two supports from the edge, but also near the
     /// opposite edge and at the faces of cracks, which bear no load.

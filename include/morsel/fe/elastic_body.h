@@ -9,6 +9,7 @@
 
 #include <Eigen/Sparse>
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <utility>
@@ -125,6 +126,16 @@ namespace Morsel::FE
     corner_fields(const Eigen::VectorXd &displacement) const;
 
   private:
+    struct Element
+    {
+      dealii::Point<2>                             center;
+      std::vector<dealii::types::global_dof_index> dofs;
+      Eigen::MatrixXd stiffness, mass; ///< [N/m], [kg]
+    };
+    using UseOfElement = std::function<void(const Element &)>;
+
+    void
+    for_each_element(const UseOfElement &use) const;
     void
     make_matrices();
     void

@@ -10,6 +10,13 @@
 
 namespace Morsel::SPH
 {
+  inline dealii::Tensor<1, 2>
+  as_tensor(const Vector2 &v)
+  {
+    return dealii::Tensor<1, 2>({v.x, v.y});
+  }
+
+
   /// One support, load or prescribed motion on the particles of a body, and
   /// the account of what it gives to them.
   ///
