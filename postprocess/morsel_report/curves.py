@@ -14,6 +14,8 @@ STORED = [
     ("granular_energy", "broken food (stored)", "#8FBCD4"),
     ("hourglass_energy", "hourglass control", "#C9DDEA"),
     ("kinetic_energy", "kinetic", style.GREEN),
+    ("plate_strain_energy", "strain of the plates", "#9AA7B0"),
+    ("plate_kinetic_energy", "kinetic, of the plates", "#CBD3D8"),
 ]
 DISSIPATED = [
     ("dissipated_damage", "damage", style.RED),

@@ -42,16 +42,44 @@ def draw_particles(axes, points, spacing, colours):
                         lower[1], lower[1] + shape[1] * cell))
 
 
-def draw_plates(axes, run, time):
-    """Draws the plates as they stood at a time."""
-    if not run.plates:
-        return
-    frame = min(run.plates, key=lambda f: abs(f.time - time))
-    nodes, cells = frame.points(), frame.read("cells")
+def nearest(frames, time):
+    """The frame nearest to a time, None without frames."""
+    return min(frames, key=lambda f: abs(f.time - time), default=None)
+
+
+def draw_plates(axes, run, time, field=None, colours_of=None):
+    """Draws the plates as they stood at a time; those that deform by what
+    colours_of() makes of a field of theirs."""
+    elastic = nearest(run.elastic_plates, time)
+    deforms = set()
+    if elastic is not None:
+        deforms = draw_elastic_plates(axes, elastic, field, colours_of)
+    frame = nearest(run.plates, time)
+    nodes, cells = ((frame.points(), frame.read("cells")) if frame
+                    else (None, None))
     if nodes is None or cells is None or np.ndim(cells) != 2:
         return
+    plate = frame.read("plate")
     for cell in cells.astype(int):
-        axes.fill(*(1e3 * nodes[cell]).T, color=style.PLATE, lw=0, zorder=0)
+        if plate is None or int(plate[cell[0]]) not in deforms:
+            axes.fill(*(1e3 * nodes[cell]).T, color=style.PLATE, lw=0,
+                      zorder=0)
+
+
+def draw_elastic_plates(axes, frame, field, colours_of):
+    """Draws the cells of plates that deform; the numbers of these plates."""
+    nodes, cells = frame.points(), frame.read("cells")
+    plate = frame.read("plate")
+    if nodes is None or cells is None or np.ndim(cells) != 2 or plate is None:
+        return set()
+    cells = cells.astype(int)
+    values = frame.read(field) if colours_of is not None else None
+    colours = (style.PLATE if values is None
+               else colours_of(values[cells].mean(axis=1)))
+    axes.add_collection(PolyCollection(
+        1e3 * nodes[cells], facecolors=colours, edgecolors="none",
+        antialiaseds=False, rasterized=True, zorder=0))
+    return set(np.unique(plate).astype(int))
 
 
 def extent_of(frames):
@@ -180,7 +208,9 @@ def draw_row(figure, row, run, chosen, field, label, cmap, spacing, view):
         colours = (np.tile(to_rgba("#c9a26b"), (len(points), 1))
                    if field is None
                    else mapper.to_rgba(factor * frame.read(field)))
-        draw_plates(axes, run, frame.time)
+        draw_plates(axes, run, frame.time, field,
+                    None if field in (None, "damage")
+                    else lambda v: mapper.to_rgba(factor * v))
         draw_particles(axes, points, spacing, colours)
         set_view(axes, view)
     if field is not None:

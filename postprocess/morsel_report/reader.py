@@ -123,11 +123,13 @@ class Run:
         self.fragments, _ = read_table(self.folder / "fragments.csv")
         self.parameters = self._read_text("used.prm")
         self.log = self._read_text("run.log")
-        self.bodies, self.plates = {}, []
+        self.bodies, self.plates, self.elastic_plates = {}, [], []
         for xdmf in sorted((self.folder / "solution").glob("*.xdmf")):
             frames, particles = read_series(xdmf)
             if particles and frames:
                 self.bodies[xdmf.stem] = frames
+            elif frames and xdmf.stem == "elastic_plates":
+                self.elastic_plates = frames
             elif frames:
                 self.plates = frames
         self._read_plate()
