@@ -142,7 +142,7 @@ def write_fields(folder, across=101, fields=True):
         nodes = np.array([[left, -0.002], [right, -0.002], [right, 0.0],
                           [left, 0.0], [left, top], [right, top],
                           [right, top + 0.002], [left, top + 0.002]])
-        plates.append((time, {"nodes": nodes,
+        plates.append((time, {"nodes": nodes, "plate": [0.0] * 4 + [1.0] * 4,
                               "cells": [[0, 1, 2, 3], [4, 5, 6, 7]]}))
     write_frames(folder / "solution", "food", "Polyvertex", food)
     write_frames(folder / "solution", "plates", "Quadrilateral", plates)

@@ -15,6 +15,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 sys.path.insert(0, str(HERE.parent.parent / "postprocess"))
 
+import matplotlib.pyplot as plt
+
 import report
 import synthetic
 from morsel_report import food, reader, style
@@ -55,6 +57,25 @@ class ReportTest(unittest.TestCase):
         # Nothing is fetched, and nothing is a script.
         self.assertFalse(re.search(r'(src|href)="(?!data:)', page))
         self.assertNotIn("<script", page)
+
+    def test_plates_that_deform(self):
+        synthetic.write_run(self.folder, across=11)
+        nodes = [[0.0, 0.01], [0.01, 0.01], [0.01, 0.011], [0.0, 0.011]]
+        synthetic.write_frames(
+            self.folder / "solution", "elastic_plates", "Quadrilateral",
+            [(0.0, {"nodes": nodes, "cells": [[0, 1, 2, 3]],
+                    "plate": [1.0] * 4, "von_mises": [1e3] * 4})])
+        run = reader.Run(self.folder)
+        figure, axes = plt.subplots()
+        self.addCleanup(plt.close, figure)
+        food.draw_plates(axes, run, 0.0, "von_mises",
+                         lambda values: ["red"] * len(values))
+        # The other plate is drawn as its box, this one by its cells.
+        self.assertEqual(len(axes.patches), 1)
+        self.assertEqual(len(axes.collections), 1)
+        self.assertEqual(tuple(axes.collections[0].get_facecolor()[0]),
+                         (1.0, 0.0, 0.0, 1.0))
+        self.report()
 
     def test_scene_without_damage(self):
         synthetic.write_fields(self.folder, across=11, fields=False)
