@@ -38,7 +38,7 @@ namespace Morsel
     for (const auto &body : scene.particle_bodies)
       solids.push_back(std::make_unique<SPH::Solid>(body, scene, communicator));
     std::vector<std::unique_ptr<FE::ElasticBody>> elastic;
-    for (const auto &body : scene.rigid_bodies)
+    for (const auto &body : scene.plate_bodies)
       {
         elastic.emplace_back();
         if (body.deformation.elastic)
@@ -58,14 +58,14 @@ namespace Morsel
     for (const auto &pair : scene.contact_pairs)
       {
         const unsigned int s = index_of(scene.particle_bodies, pair.food);
-        const unsigned int p = index_of(scene.rigid_bodies, pair.plate);
+        const unsigned int p = index_of(scene.plate_bodies, pair.plate);
         pairs.push_back({s,
                          p,
                          Contact::make_plate_contact(
                              scene.contact,
                              solids[s]->contact_side(),
                              solids[s]->get_edges(),
-                             scene.rigid_bodies[p].deformation.elastic)});
+                             scene.plate_bodies[p].deformation.elastic)});
       }
     dt = stable_time_step();
     if (scene.time.time_step > 0.)

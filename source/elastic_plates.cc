@@ -18,7 +18,7 @@ namespace Morsel
 
 
     std::set<dealii::types::boundary_id>
-    held_ids(const Scene::RigidBody &plate)
+    held_ids(const Scene::PlateBody &plate)
     {
       std::map<std::string, unsigned int> ids = {
           {"left", FE::PlateSide::left},
@@ -73,7 +73,7 @@ namespace Morsel
                  const double               height)
     {
       double speed = 0.;
-      for (const auto &plate : scene.rigid_bodies)
+      for (const auto &plate : scene.plate_bodies)
         speed += plate.motion.velocity.norm();
       if (speed == 0.)
         return 0.;
@@ -87,7 +87,7 @@ namespace Morsel
 
 
   std::unique_ptr<FE::ElasticBody>
-  make_elastic_body(const Scene::Scene &scene, const Scene::RigidBody &plate)
+  make_elastic_body(const Scene::Scene &scene, const Scene::PlateBody &plate)
   {
     const auto &given = plate.deformation;
     auto        mesh  = std::make_unique<dealii::Triangulation<2>>();
@@ -127,7 +127,7 @@ namespace Morsel
 
   ResponseChoice
   choose_response(const Scene::Scene     &scene,
-                  const Scene::RigidBody &plate,
+                  const Scene::PlateBody &plate,
                   const FE::ElasticBody  &body,
                   const unsigned int      n_ranks)
   {

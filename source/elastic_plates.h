@@ -12,7 +12,7 @@ namespace Morsel
 {
   /// The finite elements of an elastic plate.
   std::unique_ptr<FE::ElasticBody>
-  make_elastic_body(const Scene::Scene &scene, const Scene::RigidBody &plate);
+  make_elastic_body(const Scene::Scene &scene, const Scene::PlateBody &plate);
 
 
   /// How a plate answers the food, and why.
@@ -30,7 +30,7 @@ namespace Morsel
   /// gives its lowest frequency by Rayleigh's quotient u.K u/u.M u.
   ResponseChoice
   choose_response(const Scene::Scene     &scene,
-                  const Scene::RigidBody &plate,
+                  const Scene::PlateBody &plate,
                   const FE::ElasticBody  &body,
                   unsigned int            n_ranks);
 } // namespace Morsel

@@ -61,9 +61,9 @@ namespace Morsel
     bool
     any_elastic(const Scene::Scene &scene)
     {
-      return std::any_of(scene.rigid_bodies.begin(),
-                         scene.rigid_bodies.end(),
-                         [](const Scene::RigidBody &body) {
+      return std::any_of(scene.plate_bodies.begin(),
+                         scene.plate_bodies.end(),
+                         [](const Scene::PlateBody &body) {
                            return body.deformation.elastic;
                          });
     }
@@ -77,9 +77,9 @@ namespace Morsel
                                     "closure [m]",
                                     "nominal_strain [1]",
                                     "nominal_stress [Pa]"};
-      for (const auto &plate : scene.rigid_bodies)
+      for (const auto &plate : scene.plate_bodies)
         c.push_back("force_" + underscored(plate.name) + " [N]");
-      for (const auto &plate : scene.rigid_bodies)
+      for (const auto &plate : scene.plate_bodies)
         c.push_back("tangential_force_" + underscored(plate.name) + " [N]");
       for (const char *name : {"strain_energy",
                                "hourglass_energy",
@@ -110,7 +110,7 @@ namespace Morsel
     closing_speed(const Scene::Scene &scene, const unsigned int axis)
     {
       double speed = 0.;
-      for (const auto &plate : scene.rigid_bodies)
+      for (const auto &plate : scene.plate_bodies)
         speed += std::abs(plate.motion.velocity[axis]);
       return speed;
     }
@@ -123,7 +123,7 @@ namespace Morsel
     {
       const double speed  = closing_speed(scene, axis);
       double       behind = 0.;
-      for (const auto &plate : scene.rigid_bodies)
+      for (const auto &plate : scene.plate_bodies)
         behind += std::abs(plate.motion.velocity[axis]) * plate.motion.delay();
       return speed > 0.
                  ? std::min(

@@ -42,7 +42,7 @@ namespace Morsel
     expected_course(const Scene::Scene &scene, const unsigned int axis)
     {
       Course course;
-      for (const auto &plate : scene.rigid_bodies)
+      for (const auto &plate : scene.plate_bodies)
         {
           course.speed += plate.motion.velocity.norm();
           course.behind += plate.motion.velocity.norm() * plate.motion.delay();
@@ -67,7 +67,7 @@ namespace Morsel
   void
   run_simulation(const Scene::Scene &scene, const RunOptions &options)
   {
-    if (scene.rigid_bodies.empty())
+    if (scene.plate_bodies.empty())
       {
         run_experiment(scene, options);
         return;
@@ -126,7 +126,7 @@ namespace Morsel
   Prediction
   predict_run(const Scene::Scene &scene)
   {
-    if (scene.rigid_bodies.empty())
+    if (scene.plate_bodies.empty())
       return predict_experiment(scene);
     RunLog       log("", true, false);
     Bite         bite(scene, MPI_COMM_WORLD, log);

@@ -63,7 +63,7 @@ namespace Morsel::Calibrate
                        const std::vector<std::string> &overrides)
     {
       const CalibrationParameters &p = problem.parameters;
-      if (scene.rigid_bodies.empty() &&
+      if (scene.plate_bodies.empty() &&
           p.compression_result == CalibrationParameters().compression_result)
         throw InputError("--calibrate: '" + problem.file +
                          "' has no plates, so nothing measures its "

@@ -2,7 +2,7 @@
 
 namespace Morsel::Jaw
 {
-  Plate::Plate(const Scene::RigidBody &body, const double node_spacing)
+  Plate::Plate(const Scene::PlateBody &body, const double node_spacing)
       : body(body)
       , surface(Contact::rectangle_surface(body.name,
                                            body.shape.lower_corner,
@@ -12,7 +12,7 @@ namespace Morsel::Jaw
   {}
 
 
-  Plate::Plate(const Scene::RigidBody &body, const FE::ElasticBody &mesh)
+  Plate::Plate(const Scene::PlateBody &body, const FE::ElasticBody &mesh)
       : body(body)
       , surface(Contact::polyline_surface(body.name,
                                           mesh.surface_nodes(),

@@ -56,7 +56,7 @@ namespace Morsel::Plan
   {
     SceneSizes sizes;
     sizes.name = scene.name;
-    sizes.kind = !scene.rigid_bodies.empty() ? "stroke"
+    sizes.kind = !scene.plate_bodies.empty() ? "stroke"
                  : scene.time.is_static()    ? "static body"
                                              : "body in motion";
     for (const Scene::ParticleBody &body : scene.particle_bodies)

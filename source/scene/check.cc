@@ -100,12 +100,12 @@ namespace Morsel::Scene
 
 
     /// The fastest of the plates that may touch a body [m/s].
-    std::optional<RigidBody>
+    std::optional<PlateBody>
     fastest_plate(const ParticleBody &body, const Scene &scene)
     {
-      std::optional<RigidBody> fastest;
+      std::optional<PlateBody> fastest;
       for (const ContactPair &pair : scene.contact_pairs)
-        for (const RigidBody &plate : scene.rigid_bodies)
+        for (const PlateBody &plate : scene.plate_bodies)
           if (pair.food == body.name && pair.plate == plate.name &&
               (!fastest ||
                plate.motion.velocity.norm() > fastest->motion.velocity.norm()))
@@ -116,7 +116,7 @@ namespace Morsel::Scene
 
     /// A way of approach has room for its ramp.
     void
-    check_approach(const RigidBody &plate, Findings &findings)
+    check_approach(const PlateBody &plate, Findings &findings)
     {
       const Jaw::MotionParameters &motion = plate.motion;
       const std::string path  = "Body " + plate.name + "/Motion/Approach";
@@ -226,7 +226,7 @@ namespace Morsel::Scene
                         "it is more than a tenth of the wave speed " +
                             number_text(limits.speed) + " m/s.");
 
-      const std::optional<RigidBody> plate = fastest_plate(body, scene);
+      const std::optional<PlateBody> plate = fastest_plate(body, scene);
       if (!plate)
         return;
       const std::string path  = "Body " + plate->name + "/Motion/Velocity";
@@ -261,9 +261,9 @@ namespace Morsel::Scene
           scene.particle_bodies.end(),
           [&](const ParticleBody &b) { return b.name == pair.food; });
       const auto plate = std::find_if(
-          scene.rigid_bodies.begin(),
-          scene.rigid_bodies.end(),
-          [&](const RigidBody &b) { return b.name == pair.plate; });
+          scene.plate_bodies.begin(),
+          scene.plate_bodies.end(),
+          [&](const PlateBody &b) { return b.name == pair.plate; });
       const double gap = -overlap(food->shape, plate->shape);
       // The potential reaches 1.5 spacings from a particle's centre, which
       // lies half a spacing inside of the food.
@@ -317,7 +317,7 @@ namespace Morsel::Scene
                          "no body has particles, so there is nothing to "
                          "simulate; give one the Kind 'particles'.");
       if (scene.contact.law == "potential")
-        for (const RigidBody &plate : scene.rigid_bodies)
+        for (const PlateBody &plate : scene.plate_bodies)
           for (const ParticleBody &food : scene.particle_bodies)
             if (plate.node_spacing > 0.6 * food.spacing)
               findings.advise("Body " + plate.name + "/Surface/Node spacing",
@@ -337,7 +337,7 @@ namespace Morsel::Scene
     Findings findings(entries, file_name);
     check_run(scene, findings);
     check_geometry(scene, findings);
-    for (const RigidBody &body : scene.rigid_bodies)
+    for (const PlateBody &body : scene.plate_bodies)
       if (body.deformation.elastic)
         check_elastic(body, scene, findings);
     for (const ParticleBody &body : scene.particle_bodies)
@@ -360,7 +360,7 @@ namespace Morsel::Scene
           }
         for (const ContactPair &pair : scene.contact_pairs)
           check_gap(pair, scene, findings);
-        for (const RigidBody &plate : scene.rigid_bodies)
+        for (const PlateBody &plate : scene.plate_bodies)
           check_approach(plate, findings);
         check_conditions(scene, findings);
       }

@@ -150,7 +150,7 @@ namespace Morsel::Scene
   void
   check_conditions(const Scene &scene, Findings &findings)
   {
-    if (!scene.rigid_bodies.empty())
+    if (!scene.plate_bodies.empty())
       {
         if (!scene.conditions.empty())
           findings.mistake("Conditions",
@@ -169,7 +169,7 @@ namespace Morsel::Scene
       {
         const std::string exclusion =
             "Body " + body.name + "/Damage/Face exclusion";
-        if (scene.rigid_bodies.empty() && body.damage.enabled &&
+        if (scene.plate_bodies.empty() && body.damage.enabled &&
             findings.is_given(exclusion))
           findings.advise(exclusion,
                           "it acts under plates alone, and there are none.");

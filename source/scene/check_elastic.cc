@@ -16,7 +16,7 @@ namespace Morsel::Scene
 
 
     void
-    check_held_sides(const RigidBody                &body,
+    check_held_sides(const PlateBody                &body,
                      const std::vector<std::string> &held,
                      Findings                       &findings)
     {
@@ -46,7 +46,7 @@ namespace Morsel::Scene
 
 
     void
-    check_support(const RigidBody                &body,
+    check_support(const PlateBody                &body,
                   const std::vector<std::string> &held,
                   const Scene                    &scene,
                   Findings                       &findings)
@@ -84,7 +84,7 @@ namespace Morsel::Scene
 
 
   void
-  check_elastic(const RigidBody &body, const Scene &scene, Findings &findings)
+  check_elastic(const PlateBody &body, const Scene &scene, Findings &findings)
   {
     const auto       &given    = body.deformation;
     const std::string material = "Body " + body.name + "/Material/";

@@ -12,7 +12,7 @@ namespace Morsel::Scene
     {
       const SPH::SolidParameters &solid   = body.solid;
       const std::string           section = "Body " + body.name + "/Solid/";
-      if (!scene.rigid_bodies.empty())
+      if (!scene.plate_bodies.empty())
         findings.mistake(section + "Formulation",
                          "scenes with plates are computed in the total "
                          "Lagrangian form; the updated one clumps in tension "

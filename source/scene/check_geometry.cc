@@ -119,7 +119,7 @@ namespace Morsel::Scene
         solids.push_back(
             {body.name, &body.shape, false, body.shape.main_entry()});
       }
-    for (const RigidBody &body : scene.rigid_bodies)
+    for (const PlateBody &body : scene.plate_bodies)
       solids.push_back({body.name, &body.shape, true, "Upper corner"});
 
     check_rectangle(scene.domain, "Domain", "Upper corner", findings);

@@ -99,6 +99,6 @@ namespace Morsel::Scene
                           " GB of memory and a long time.");
 
     if (body.is_plain_lattice())
-      check_rows(body, !scene.rigid_bodies.empty(), findings);
+      check_rows(body, !scene.plate_bodies.empty(), findings);
   }
 } // namespace Morsel::Scene

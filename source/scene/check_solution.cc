@@ -49,7 +49,7 @@ namespace Morsel::Scene
     void
     check_static(const Scene &scene, Findings &findings)
     {
-      if (!scene.rigid_bodies.empty())
+      if (!scene.plate_bodies.empty())
         findings.mistake("Time/Solution",
                          "plates move and their contact is a transient; leave "
                          "out the rigid bodies, or take 'transient'.");

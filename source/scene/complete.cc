@@ -32,7 +32,7 @@ namespace Morsel::Scene
       };
       for (const ParticleBody &body : scene.particle_bodies)
         enclose(body.shape);
-      for (const RigidBody &body : scene.rigid_bodies)
+      for (const PlateBody &body : scene.plate_bodies)
         enclose(body.shape);
       const dealii::Tensor<1, 2> margin = 0.5 * (upper - lower);
       return {lower - margin, upper + margin};
@@ -64,7 +64,7 @@ namespace Morsel::Scene
 
     /// An elastic body's mesh: its full path and its box.
     void
-    complete_mesh(RigidBody                         &body,
+    complete_mesh(PlateBody                         &body,
                   const std::string                 &file_name,
                   const std::vector<ParameterEntry> &entries)
     {
@@ -134,7 +134,7 @@ namespace Morsel::Scene
       std::set<std::string> particle_names, rigid_names;
       for (const ParticleBody &body : scene.particle_bodies)
         particle_names.insert(body.name);
-      for (const RigidBody &body : scene.rigid_bodies)
+      for (const PlateBody &body : scene.plate_bodies)
         rigid_names.insert(body.name);
       std::vector<std::string> all_names(particle_names.begin(),
                                          particle_names.end());
@@ -143,7 +143,7 @@ namespace Morsel::Scene
       std::vector<ContactPair> pairs;
       if (text.empty())
         for (const ParticleBody &food : scene.particle_bodies)
-          for (const RigidBody &plate : scene.rigid_bodies)
+          for (const PlateBody &plate : scene.plate_bodies)
             pairs.push_back({food.name, plate.name});
 
       const std::string place = last_place(entries, "Contact/Pairs") +
@@ -185,12 +185,12 @@ namespace Morsel::Scene
           [](const ParticleBody &body) { return body.damage.enabled; });
       if (food == scene.particle_bodies.end())
         return;
-      for (RigidBody &plate : scene.rigid_bodies)
+      for (PlateBody &plate : scene.plate_bodies)
         {
           const auto        &v     = plate.motion.velocity;
           const unsigned int axis  = std::abs(v[0]) > std::abs(v[1]) ? 0 : 1;
           double             speed = 0.;
-          for (const RigidBody &other : scene.rigid_bodies)
+          for (const PlateBody &other : scene.plate_bodies)
             speed += std::abs(other.motion.velocity[axis]);
           if (speed > 0.)
             plate.motion.approach = plate.motion.approach_share *
@@ -220,7 +220,7 @@ namespace Morsel::Scene
       scene.name = std::filesystem::path(file_name).stem().string();
     for (ParticleBody &body : scene.particle_bodies)
       complete_shape(body, file_name, entries);
-    for (RigidBody &body : scene.rigid_bodies)
+    for (PlateBody &body : scene.plate_bodies)
       complete_mesh(body, file_name, entries);
     if (last_place(entries, "Domain/Lower corner").empty() &&
         last_place(entries, "Domain/Upper corner").empty())

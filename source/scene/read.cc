@@ -62,9 +62,9 @@ namespace Morsel::Scene
           body_names.push_back(body.name);
           if (body.kind == "rigid" || body.kind == "elastic")
             {
-              scene.rigid_bodies.emplace_back();
-              scene.rigid_bodies.back().name = body.name;
-              scene.rigid_bodies.back().deformation.elastic =
+              scene.plate_bodies.emplace_back();
+              scene.plate_bodies.back().name = body.name;
+              scene.plate_bodies.back().deformation.elastic =
                   body.kind == "elastic";
             }
           else
@@ -177,7 +177,7 @@ namespace Morsel::Scene
       for (ParticleBody &particles : scene.particle_bodies)
         if (particles.name == body.name)
           particles.declare(prm);
-      for (RigidBody &rigid : scene.rigid_bodies)
+      for (PlateBody &rigid : scene.plate_bodies)
         if (rigid.name == body.name)
           rigid.declare(prm);
       prm.leave_subsection();
@@ -242,7 +242,7 @@ namespace Morsel::Scene
           prm.leave_subsection();
         }
 
-      for (const RigidBody &body : scene.rigid_bodies)
+      for (const PlateBody &body : scene.plate_bodies)
         if (!body.deformation.mesh_file.empty())
           {
             const Rectangle   box  = body.shape;

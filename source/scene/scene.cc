@@ -169,7 +169,7 @@ namespace Morsel::Scene
 
 
   void
-  RigidBody::declare(dealii::ParameterHandler &prm)
+  PlateBody::declare(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Shape");
     shape.declare(prm);

@@ -24,7 +24,7 @@ namespace
     food.material.law            = "linear";
     food.material.poissons_ratio = 0.;
     food.solid.viscosity         = "off";
-    for (auto &plate : scene.rigid_bodies)
+    for (auto &plate : scene.plate_bodies)
       {
         const bool upper                 = plate.name == "upper";
         plate.shape.lower_corner         = {0., upper ? h : -0.2 * h};
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(friction_feeds_no_plate)
       Scene::Scene scene     = scene_of_column(c.response);
       scene.contact.friction = 0.5;
       scene.particle_bodies[0].material.poissons_ratio = 0.3;
-      for (auto &plate : scene.rigid_bodies)
+      for (auto &plate : scene.plate_bodies)
         {
           plate.deformation.youngs_modulus = c.modulus;
           plate.deformation.cell_size      = 2e-4;
@@ -145,12 +145,12 @@ BOOST_AUTO_TEST_CASE(auto_chooses_by_stiffness_and_period)
   const auto choose = [](const double modulus, const double speed) {
     Scene::Scene scene         = scene_of_column("auto");
     scene.stop.maximum_closure = 0.01;
-    for (auto &plate : scene.rigid_bodies)
+    for (auto &plate : scene.plate_bodies)
       {
         plate.deformation.youngs_modulus = modulus;
         plate.motion.velocity *= speed / 0.05;
       }
-    const auto &plate = scene.rigid_bodies[1];
+    const auto &plate = scene.plate_bodies[1];
     return choose_response(scene, plate, *make_elastic_body(scene, plate), 1)
         .response;
   };

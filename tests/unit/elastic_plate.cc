@@ -88,7 +88,7 @@ namespace
     food.material.youngs_modulus = 1e7;
     food.material.law            = "linear";
     food.solid.viscosity         = "off";
-    Scene::RigidBody bar;
+    Scene::PlateBody bar;
     bar.name                       = "bar";
     bar.shape.lower_corner         = {length, 0.};
     bar.shape.upper_corner         = {2. * length, 0.1 * length};
@@ -97,7 +97,7 @@ namespace
     bar.deformation.cell_size      = length / 60;
     bar.deformation.density        = 250.;
     bar.deformation.youngs_modulus = 4e7;
-    scene.rigid_bodies.push_back(bar);
+    scene.plate_bodies.push_back(bar);
     scene.contact_pairs.push_back({"block", "bar"});
     scene.contact.friction  = 0.;
     scene.contact.stiffness = stiffness;

@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(the_peanut_is_read)
   BOOST_TEST(scene.name == "peanut");
   BOOST_TEST(scene.depth == 0.01);
   BOOST_REQUIRE_EQUAL(scene.particle_bodies.size(), 1u);
-  BOOST_REQUIRE_EQUAL(scene.rigid_bodies.size(), 2u);
+  BOOST_REQUIRE_EQUAL(scene.plate_bodies.size(), 2u);
   BOOST_REQUIRE_EQUAL(scene.contact_pairs.size(), 2u);
   BOOST_TEST(scene.contact_pairs[0].food == "food");
   BOOST_TEST(scene.contact_pairs[0].plate == "lower plate");
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(the_peanut_is_read)
   BOOST_TEST(food.material.compressive_strength ==
                  std::sqrt(2 * 23.9e6 * 214.3),
              boost::test_tools::tolerance(1e-14));
-  BOOST_TEST(scene.rigid_bodies[1].motion.velocity[1] == -0.1);
+  BOOST_TEST(scene.plate_bodies[1].motion.velocity[1] == -0.1);
 }
 
 

@@ -43,13 +43,13 @@ namespace Morsel::SPH
     Scene::Scene     scene = scene_of_block(n, n, h / n, 0.3);
     for (const bool upper : {false, true})
       {
-        Scene::RigidBody body;
+        Scene::PlateBody body;
         body.name               = upper ? "upper" : "lower";
         body.shape.lower_corner = {-h, upper ? h : -0.1 * h};
         body.shape.upper_corner = {2. * h, upper ? 1.1 * h : 0.};
         body.motion.velocity    = {0., upper ? -speed : 0.};
         body.motion.ramp_time   = ramp;
-        scene.rigid_bodies.push_back(body);
+        scene.plate_bodies.push_back(body);
         scene.contact_pairs.push_back({"block", body.name});
       }
     scene.contact.friction = 0.;

@@ -16,10 +16,10 @@ namespace Morsel::Jaw
   public:
     /// A rigid rectangle.
     /// @param node_spacing of the surface [m].
-    Plate(const Scene::RigidBody &body, double node_spacing);
+    Plate(const Scene::PlateBody &body, double node_spacing);
 
     /// With the surface of a mesh, rigid as long as no deformation is given.
-    Plate(const Scene::RigidBody &body, const FE::ElasticBody &mesh);
+    Plate(const Scene::PlateBody &body, const FE::ElasticBody &mesh);
 
     void
     set_deformation(std::unique_ptr<Deformation> deformation);
@@ -97,7 +97,7 @@ namespace Morsel::Jaw
       return impulse_given;
     }
 
-    const Scene::RigidBody &body;
+    const Scene::PlateBody &body;
     Contact::Surface        surface;
 
   private:

@@ -70,7 +70,7 @@ namespace Morsel::Scene
 
   /// Checks how a plate that deforms is made, held and moved.
   void
-  check_elastic(const RigidBody &body, const Scene &scene, Findings &findings);
+  check_elastic(const PlateBody &body, const Scene &scene, Findings &findings);
 
 
   /// Checks that a body has particles enough, not too many, and rows that fit.

@@ -89,7 +89,7 @@ namespace Morsel::Scene
 
   /// A body that moves as told: a plate, rigid or, where its deformation is
   /// elastic, held at some of its sides.
-  struct RigidBody
+  struct PlateBody
   {
     std::string           name;
     Rectangle             shape;
@@ -175,7 +175,7 @@ namespace Morsel::Scene
     unsigned int               seed  = 1;
     Rectangle                  domain;
     std::vector<ParticleBody>  particle_bodies;
-    std::vector<RigidBody>     rigid_bodies;
+    std::vector<PlateBody>     plate_bodies;
     std::vector<ContactPair>   contact_pairs;
     std::vector<Condition>     conditions;
     std::vector<Observer>      observers;
