@@ -2,6 +2,7 @@
 #define morsel_source_recorder_h
 
 #include "bite.h"
+#include "drive_record.h"
 
 #include <morsel/core/run_options.h>
 #include <morsel/measure/breakage.h>
@@ -137,6 +138,7 @@ namespace Morsel
     Measure::EnergyLedger              energy;
     Measure::MomentumLedger            momentum;
     std::unique_ptr<Measure::Breakage> breakage;
+    DriveRecord                        drives;
     Measure::Fragments                 fragments;
     Measure::Fragments                 intact;
 
