@@ -111,8 +111,8 @@ namespace Morsel::Scene
   };
 
 
-  /// Two plates that may meet.
-  struct PlatePair
+  /// Two bodies of the same kind that may meet: plates, or particle bodies.
+  struct PairOfAKind
   {
     std::string first, second;
   };
@@ -185,7 +185,7 @@ namespace Morsel::Scene
     std::vector<ParticleBody>          particle_bodies;
     std::vector<PlateBody>             plate_bodies;
     std::vector<ContactPair>           contact_pairs;
-    std::vector<PlatePair>             plate_pairs;
+    std::vector<PairOfAKind>           plate_pairs, food_pairs;
     Jaw::HingeParameters               jaw;
     std::vector<Jaw::MuscleParameters> muscles;
     std::vector<Condition>             conditions;
