@@ -25,8 +25,8 @@ namespace Morsel
           {"right", FE::PlateSide::right},
           {"bottom", FE::PlateSide::bottom},
           {"top", FE::PlateSide::top}};
-      if (!plate.deformation.mesh_file.empty())
-        ids = Scene::sides_of_mesh(plate.deformation.mesh_file);
+      if (plate.shape.is_mesh())
+        ids = Scene::sides_of_mesh(plate.shape.mesh_file);
       std::set<dealii::types::boundary_id> held;
       for (const auto &name : dealii::Utilities::split_string_list(
                plate.deformation.held_sides, ','))
@@ -91,7 +91,9 @@ namespace Morsel
   {
     const auto &given = plate.deformation;
     auto        mesh  = std::make_unique<dealii::Triangulation<2>>();
-    if (given.mesh_file.empty())
+    if (plate.shape.is_mesh())
+      plate.shape.place_mesh(*mesh);
+    else
       {
         const double side =
             std::min(plate.shape.extent(0), plate.shape.extent(1));
@@ -111,8 +113,6 @@ namespace Morsel
                        n[0],
                        n[1]);
       }
-    else
-      Scene::read_mesh(given.mesh_file, *mesh);
 
     FE::ElasticBodyProperties properties;
     properties.youngs_modulus = given.youngs_modulus;

@@ -14,8 +14,8 @@ namespace Morsel::Jaw
   class Plate
   {
   public:
-    /// A rigid rectangle.
-    /// @param node_spacing of the surface [m].
+    /// A rigid rectangle or mesh.
+    /// @param node_spacing of the surface, at most [m].
     Plate(const Scene::PlateBody &body, double node_spacing);
 
     /// With the surface of a mesh, rigid as long as no deformation is given.
