@@ -176,7 +176,7 @@ def moments(run):
     if not rows:
         rows = [(None, "Particles", None)]
     spacing = 1e3 * spacing_of(frames[0].points())
-    view = extent_of([f for _, f in chosen])
+    view = teeth.with_teeth(run, extent_of([f for _, f in chosen]))
     aspect = (view[1][1] - view[0][1]) / (view[1][0] - view[0][0])
     width = 9.6 / (len(chosen) + 0.35)
     figure, grid = plt.subplots(
@@ -255,7 +255,7 @@ def fragments(run):
     spacing = 1e3 * spacing_of(frames[0].points())
     start, end = 1e3 * frames[0].points(), 1e3 * frames[-1].points()
     same = len(start) == len(end)
-    view = extent_of([frames[-1], frames[0]])
+    view = teeth.with_teeth(run, extent_of([frames[-1], frames[0]]))
     aspect = (view[1][1] - view[0][1]) / (view[1][0] - view[0][0])
     figure, grid = plt.subplots(
         1, 2 if same else 1, squeeze=False, layout="constrained",

@@ -36,6 +36,22 @@ def draw(axes, nodes, cells, colours):
         1e3 * edges_of(nodes, cells), colors=style.INK, lw=0.6, zorder=0.5))
 
 
+def with_teeth(run, view):
+    """The view of the food [mm], grown so that it shows what lies around it
+    and holds the arrows."""
+    if not run.surfaces:
+        return view
+    nodes = 1e3 * run.surfaces[0].points()
+    size = view[1] - view[0]
+    grown = np.array([0.05, LONGEST_ARROW]) * size
+    lower = np.maximum(view[0] - grown, nodes.min(axis=0) - 0.05 * size)
+    upper = np.minimum(view[1] + grown, nodes.max(axis=0) + 0.05 * size)
+    # The arrows have their room even where there is only a thin plate.
+    room = np.array([0.0, 0.8 * LONGEST_ARROW]) * size
+    return (np.minimum(np.minimum(lower, view[0]), view[0] - room),
+            np.maximum(np.maximum(upper, view[1]), view[1] + room))
+
+
 def loads(frame, depth):
     """{plate: (force [N], centre of the load [m])} of a surfaces' frame."""
     nodes, cells = frame.points(), frame.read("cells")
