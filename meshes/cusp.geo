@@ -10,7 +10,7 @@ DefineConstant[
   tip_radius  = 0.0006
   width       = 0.012
   height      = 0.007  // from the base to the tip
-  tip_cell    = 0.0001 // size of cells along the arc
+  tip_cell    = 0.00005 // size of cells along the arc
   base_cell   = 0.0008 // and at the base
 ];
 

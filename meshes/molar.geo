@@ -10,7 +10,7 @@ DefineConstant[
   fossa_radius = 0.0010 // of its bottom
   overhang     = 0.0025 // of the crown beyond each cusp
   height       = 0.007  // from the base to the tips
-  fine_cell    = 0.0002 // size of cells along the cusps and the fossa
+  fine_cell    = 0.0001 // size of cells along the cusps and the fossa
   coarse_cell  = 0.0008 // and at the base
 ];
 

@@ -5,6 +5,6 @@ inclination = 45;
 tip_radius  = 0.0005;
 width       = 0.010;
 height      = 0.008;
-tip_cell    = 0.0001;
+tip_cell    = 0.00005;
 base_cell   = 0.0008;
 Include "cusp.geo";
