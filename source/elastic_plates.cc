@@ -74,7 +74,7 @@ namespace Morsel
     {
       double speed = 0.;
       for (const auto &plate : scene.plate_bodies)
-        speed += plate.motion.velocity.norm();
+        speed += plate.motion.typical_velocity().norm();
       if (speed == 0.)
         return 0.;
       const double strength = food.material.compressive_strength;

@@ -75,7 +75,7 @@ namespace Morsel
 
 
     std::vector<std::string>
-    history_columns(const Scene::Scene &scene)
+    history_columns(const Scene::Scene &scene, const DriveRecord &drives)
     {
       std::vector<std::string> c = {"time [s]",
                                     "step [1]",
@@ -101,6 +101,8 @@ namespace Morsel
       if (any_elastic(scene))
         c.insert(c.end(),
                  {"plate_strain_energy [J]", "plate_kinetic_energy [J]"});
+      const auto of_drives = drives.columns();
+      c.insert(c.end(), of_drives.begin(), of_drives.end());
       c.insert(c.end(),
                {"energy_error [1]",
                 "momentum_error [1]",
@@ -116,7 +118,7 @@ namespace Morsel
     {
       double speed = 0.;
       for (const auto &plate : scene.plate_bodies)
-        speed += std::abs(plate.motion.velocity[axis]);
+        speed += std::abs(plate.motion.typical_velocity()[axis]);
       return speed;
     }
 
@@ -129,7 +131,8 @@ namespace Morsel
       const double speed  = closing_speed(scene, axis);
       double       behind = 0.;
       for (const auto &plate : scene.plate_bodies)
-        behind += std::abs(plate.motion.velocity[axis]) * plate.motion.delay();
+        behind += std::abs(plate.motion.typical_velocity()[axis]) *
+                  plate.motion.delay();
       return speed > 0.
                  ? std::min(
                        scene.time.end_time,
@@ -186,6 +189,7 @@ namespace Morsel
       , stroke(stroke_settings(scene, bite.closing_axis()))
       , energy(bite.energies())
       , momentum(bite.momentum())
+      , drives(bite)
       , history_due(scene.output.history_samples,
                     2. * interesting_time(scene, bite.closing_axis()) /
                         scene.output.history_samples)
@@ -196,7 +200,8 @@ namespace Morsel
   {
     if (first_rank)
       history = std::make_unique<Output::History>(
-          options.output_directory + "/history.csv", history_columns(scene));
+          options.output_directory + "/history.csv",
+          history_columns(scene, drives));
     if (scene.output.fields)
       {
         const std::string folder = options.output_directory + "/solution";
@@ -237,6 +242,7 @@ namespace Morsel
       }
     stroke.add(s);
     follow_surfaces();
+    drives.follow(stroke.mean_force());
     if (breakage)
       breakage->follow(bite.time());
     if (const auto time = stroke.time_of_half_force();
@@ -273,6 +279,7 @@ namespace Morsel
     for (unsigned int p = 0; p < bite.get_plates().size(); ++p)
       forces.push_back(bite.tangential_force(p));
 
+    const auto of_drives = drives.row();
     if (history)
       {
         std::vector<double> row = {bite.time(),
@@ -295,6 +302,7 @@ namespace Morsel
                     e.dissipated_granular_friction});
         if (any_elastic(scene))
           row.insert(row.end(), {e.plate_strain, e.plate_kinetic});
+        row.insert(row.end(), of_drives.begin(), of_drives.end());
         row.insert(row.end(),
                    {error,
                     momentum_error,
@@ -377,6 +385,7 @@ namespace Morsel
     summarise_stroke(reason);
     summarise_plates();
     summarise_surfaces();
+    drives.summarise(summary);
     summarise_break();
     summarise_fragments();
     summarise_new_surface();

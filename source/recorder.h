@@ -2,6 +2,7 @@
 #define morsel_source_recorder_h
 
 #include "bite.h"
+#include "drive_record.h"
 
 #include <morsel/contact/traction.h>
 #include <morsel/core/run_options.h>
@@ -156,6 +157,7 @@ namespace Morsel
     Measure::EnergyLedger              energy;
     Measure::MomentumLedger            momentum;
     std::unique_ptr<Measure::Breakage> breakage;
+    DriveRecord                        drives;
     Measure::Fragments                 fragments;
     Measure::Fragments                 intact;
 

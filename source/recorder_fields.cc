@@ -63,7 +63,7 @@ namespace Morsel
         plates.push_back(
             {plate.body.shape.cell_corners(), plate.velocity(), plate.force()});
         for (auto &corner : plates.back().corners)
-          corner += plate.displacement();
+          corner = plate.frame().place(corner);
       }
     Output::write_plates(*plate_frames, bite.time(), plates);
     write_surfaces();

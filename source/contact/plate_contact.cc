@@ -82,8 +82,12 @@ namespace Morsel::Contact
         // particle's slip around.
         const auto normal     = sum / size;
         const auto v_relative = v - v_nodes / weights;
-        const auto rubbing    = friction(
-            size, v_relative - (v_relative * normal) * normal, time_step);
+        const auto rubbing =
+            friction(candidate.particle,
+                     size,
+                     normal,
+                     v_relative - (v_relative * normal) * normal,
+                     time_step);
         for (const auto &[j, share] : shares)
           surface.force[j] -= share / weights * rubbing;
         return sum + rubbing;
@@ -141,6 +145,11 @@ namespace Morsel::Contact
     if (search_is_due(position, surface))
       search(position, surface);
     heat_before = heat;
+    if (parameters.sticks_elastically())
+      {
+        stretch.resize(n_owned);
+        stretch_before = stretch;
+      }
     return press_all(motion, time_step, surface);
   }
 
@@ -150,7 +159,8 @@ namespace Morsel::Contact
                               const double               time_step,
                               Surface                   &surface)
   {
-    heat = heat_before;
+    heat    = heat_before;
+    stretch = stretch_before;
     return press_all(motion, time_step, surface);
   }
 
@@ -173,6 +183,8 @@ namespace Morsel::Contact
                              surface);
         if (f[0] != 0. || f[1] != 0.)
           forces.push_back({c.particle, f});
+        else if (!stretch.empty())
+          stretch[c.particle] = 0.;
       }
     return forces;
   }
@@ -256,17 +268,47 @@ namespace Morsel::Contact
 
 
   dealii::Tensor<1, 2>
-  PlateContact::friction(const double                normal_force,
+  PlateContact::friction(const unsigned int          particle,
+                         const double                normal_force,
+                         const dealii::Tensor<1, 2> &normal,
                          const dealii::Tensor<1, 2> &slip,
                          const double                time_step)
   {
-    const double speed = slip.norm();
-    if (parameters.friction == 0. || speed == 0.)
+    if (parameters.friction == 0.)
       return {};
-    const double size = std::min(parameters.friction * normal_force,
-                                 0.5 * slipping_mass * speed / time_step);
+    const double most = parameters.friction * normal_force;
+    if (parameters.sticks_elastically())
+      return spring_friction(particle, most, normal, slip, time_step);
+    const double speed = slip.norm();
+    if (speed == 0.)
+      return {};
+    const double size = std::min(most, 0.5 * slipping_mass * speed / time_step);
     heat += size * speed * time_step;
     return -size / speed * slip;
+  }
+
+
+  /// Elastic stick and plastic slip by return mapping (Wriggers, Computational
+  /// Contact Mechanics, 2nd ed. 2006, section 5.2.3).
+  dealii::Tensor<1, 2>
+  PlateContact::spring_friction(const unsigned int          particle,
+                                const double                most,
+                                const dealii::Tensor<1, 2> &normal,
+                                const dealii::Tensor<1, 2> &slip,
+                                const double                time_step)
+  {
+    const double k      = stiffness_of(particle);
+    auto        &s      = stretch[particle];
+    const double before = s.norm_square();
+    const auto   way    = time_step * slip;
+    s -= (s * normal) * normal;
+    s += way;
+    if (const double length = s.norm(); k * length > most)
+      s *= most / (k * length);
+    // What the force takes over the step at hand and does not store.
+    heat += k * (s * way) - 0.5 * k * (s.norm_square() - before);
+    energy += 0.5 * k * s.norm_square();
+    return -k * s;
   }
 
 

@@ -59,12 +59,14 @@ namespace Morsel::Scene
                          "nothing holds the body, so that only its inertia "
                          "can answer the food: name 'Held sides', or take "
                          "'dynamic'.");
-      if (held.empty() && body.motion.velocity.norm() > 0.)
-        findings.mistake("Body " + body.name + "/Motion/Velocity",
-                         "a body that nothing holds does not follow a motion: "
-                         "name '" +
-                             section +
-                             "Held sides', or give 'Initial velocity' there.");
+      if (held.empty() &&
+          (body.motion.kind != "constant" || body.motion.velocity.norm() > 0.))
+        findings.mistake(
+            "Body " + body.name + "/Motion/" +
+                (body.motion.kind == "constant" ? "Velocity" : "Kind"),
+            "a body that nothing holds does not follow a motion: "
+            "name '" +
+                section + "Held sides', or give 'Initial velocity' there.");
       if (!held.empty() && given.initial_velocity.norm() > 0.)
         findings.mistake(section + "Initial velocity",
                          "the body is held and begins with the velocity of "

@@ -73,6 +73,12 @@ namespace Morsel::Scene
   check_elastic(const PlateBody &body, const Scene &scene, Findings &findings);
 
 
+  /// Checks what moves the plates, the jaw and its muscles, and which plates
+  /// may meet.
+  void
+  check_drives(const Scene &scene, Findings &findings);
+
+
   /// Checks that a body has particles enough, not too many, and rows that fit.
   void
   check_particles(const ParticleBody &body,

@@ -3,6 +3,7 @@
 
 #include <morsel/contact/parameters.h>
 #include <morsel/fracture/parameters.h>
+#include <morsel/jaw/hinge_parameters.h>
 #include <morsel/jaw/motion.h>
 #include <morsel/jaw/parameters.h>
 #include <morsel/materials/grains.h>
@@ -88,8 +89,8 @@ namespace Morsel::Scene
   };
 
 
-  /// A body that moves as told: a plate, rigid or, where its deformation is
-  /// elastic, held at some of its sides.
+  /// A body that its drive moves: a plate or tooth, rigid or, where its
+  /// deformation is elastic, held at some of its sides.
   struct PlateBody
   {
     std::string           name;
@@ -108,6 +109,13 @@ namespace Morsel::Scene
   {
     std::string food;
     std::string plate;
+  };
+
+
+  /// Two plates that may meet.
+  struct PlatePair
+  {
+    std::string first, second;
   };
 
 
@@ -170,21 +178,24 @@ namespace Morsel::Scene
   /// Everything that one run is about. Constant once read.
   struct Scene
   {
-    std::string                name;
-    std::string                title;
-    double                     depth = 1.; ///< out of plane [m]
-    unsigned int               seed  = 1;
-    Rectangle                  domain;
-    std::vector<ParticleBody>  particle_bodies;
-    std::vector<PlateBody>     plate_bodies;
-    std::vector<ContactPair>   contact_pairs;
-    std::vector<Condition>     conditions;
-    std::vector<Observer>      observers;
-    Contact::ContactParameters contact;
-    TimeParameters             time;
-    StopParameters             stop;
-    OutputParameters           output;
-    MeasureParameters          measures;
+    std::string                        name;
+    std::string                        title;
+    double                             depth = 1.; ///< out of plane [m]
+    unsigned int                       seed  = 1;
+    Rectangle                          domain;
+    std::vector<ParticleBody>          particle_bodies;
+    std::vector<PlateBody>             plate_bodies;
+    std::vector<ContactPair>           contact_pairs;
+    std::vector<PlatePair>             plate_pairs;
+    Jaw::HingeParameters               jaw;
+    std::vector<Jaw::MuscleParameters> muscles;
+    std::vector<Condition>             conditions;
+    std::vector<Observer>              observers;
+    Contact::ContactParameters         contact;
+    TimeParameters                     time;
+    StopParameters                     stop;
+    OutputParameters                   output;
+    MeasureParameters                  measures;
 
     /// The complete parameters as a scene file that reproduces the run, with
     /// the catalogue's values written out: the content of used.prm.
