@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Morsel
 {
@@ -32,6 +33,31 @@ namespace Morsel
                plate.deformation.held_sides, ','))
         held.insert(ids.at(name));
       return held;
+    }
+
+
+    /// The axis that the surface faces where it is nearest to the food.
+    unsigned int
+    axis_towards(const Scene::Rectangle &food, const FE::ElasticBody &body)
+    {
+      const auto          &nodes = body.surface_nodes();
+      double               least = std::numeric_limits<double>::infinity();
+      dealii::Tensor<1, 2> along;
+      for (const auto &[first, second] : body.surface_facets())
+        {
+          const dealii::Point<2> x =
+              nodes[first] + 0.5 * (nodes[second] - nodes[first]);
+          dealii::Tensor<1, 2> away;
+          for (unsigned int d = 0; d < 2; ++d)
+            away[d] = std::max(
+                {food.lower_corner[d] - x[d], x[d] - food.upper_corner[d], 0.});
+          if (away.norm() < least)
+            {
+              least = away.norm();
+              along = nodes[second] - nodes[first];
+            }
+        }
+      return std::abs(along[1]) > std::abs(along[0]) ? 0 : 1;
     }
 
 
@@ -137,14 +163,8 @@ namespace Morsel
     if (!body.is_held())
       return {"dynamic", "nothing holds it"};
 
-    // Towards the food along the axis on which they are farthest apart.
-    const auto          &food = scene.particle_bodies.front();
-    dealii::Tensor<1, 2> apart;
-    for (unsigned int d = 0; d < 2; ++d)
-      apart[d] =
-          std::max(plate.shape.lower_corner[d] - food.shape.upper_corner[d],
-                   food.shape.lower_corner[d] - plate.shape.upper_corner[d]);
-    const unsigned int axis = apart[0] > apart[1] ? 0 : 1;
+    const auto        &food = scene.particle_bodies.front();
+    const unsigned int axis = axis_towards(food.shape, body);
 
     const Eigen::VectorXd f = pressure_of_food(body, food, axis, scene.depth);
     const Eigen::VectorXd u =

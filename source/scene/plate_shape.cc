@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 namespace Morsel::Scene
 {
@@ -100,6 +101,50 @@ namespace Morsel::Scene
             {upper_corner[0], lower_corner[1]},
             {lower_corner[0], upper_corner[1]},
             upper_corner};
+  }
+
+
+  Rectangle
+  PlateShape::box_before(const unsigned int axis, const Rectangle &food) const
+  {
+    if (!is_mesh())
+      return *this;
+    const unsigned int across = 1 - axis;
+    const double       begin  = food.lower_corner[across],
+                 end          = food.upper_corner[across];
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double           lower = infinity, upper = -infinity;
+    for (const Outline::Edge &edge : boundary.get_edges())
+      {
+        // From where to where the edge is within the strip, in its own length.
+        double       from = 0., to = 1.;
+        const double start = edge.first[across],
+                     way   = edge.second[across] - start;
+        if (way == 0. && (start < begin || start > end))
+          continue;
+        if (way != 0.)
+          {
+            const double a = (begin - start) / way, b = (end - start) / way;
+            from = std::max(from, std::min(a, b));
+            to   = std::min(to, std::max(a, b));
+          }
+        for (const double t : {from, to})
+          if (from <= to)
+            {
+              const double x =
+                  edge.first[axis] + t * (edge.second[axis] - edge.first[axis]);
+              lower = std::min(lower, x);
+              upper = std::max(upper, x);
+            }
+      }
+    if (lower > upper)
+      return *this;
+    Rectangle part            = *this;
+    part.lower_corner[axis]   = lower;
+    part.upper_corner[axis]   = upper;
+    part.lower_corner[across] = std::max(lower_corner[across], begin);
+    part.upper_corner[across] = std::min(upper_corner[across], end);
+    return part;
   }
 
 

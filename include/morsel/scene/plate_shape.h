@@ -49,6 +49,11 @@ namespace Morsel::Scene
     std::vector<dealii::Point<2>>
     cell_corners() const;
 
+    /// The box of the part that lies between two coordinates across an axis:
+    /// what stands before food of that width; the whole box if nothing does.
+    Rectangle
+    box_before(unsigned int axis, const Rectangle &food) const;
+
   private:
     Outline                       boundary;
     std::vector<dealii::Point<2>> corners; ///< of a mesh's cells
