@@ -245,8 +245,9 @@ namespace Morsel
     const auto middle = [this](const Scene::Rectangle &box) {
       return 0.5 * (box.lower_corner[axis] + box.upper_corner[axis]);
     };
-    return middle(plates[plate].body.shape) <
-                   middle(scene.particle_bodies.front().shape)
+    const Scene::Rectangle &food = scene.particle_bodies.front().shape;
+    return middle(plates[plate].body.shape.box_before(axis, food)) <
+                   middle(food)
                ? 1.
                : -1.;
   }

@@ -46,9 +46,14 @@ namespace Morsel
       s.closure_after_failure = scene.stop.closure_after_failure;
       if (body.damage.enabled)
         {
-          // What is no block may split at a small share of the nominal stress
-          // that its material bears.
-          const bool block = body.shape.is_rectangle();
+          // What is no block, or no block between flat plates, may split at a
+          // small share of the nominal stress that its material bears.
+          const bool block = body.shape.is_rectangle() &&
+                             std::none_of(scene.plate_bodies.begin(),
+                                          scene.plate_bodies.end(),
+                                          [](const Scene::PlateBody &plate) {
+                                            return plate.shape.is_mesh();
+                                          });
           if (block)
             s.prescribed_strength = body.material.compressive_strength;
           s.minimum_peak =
@@ -203,8 +208,12 @@ namespace Morsel
         particle_frames =
             std::make_unique<Output::Frames<0>>(folder, "food", communicator);
         if (!bite.get_plates().empty())
-          plate_frames = std::make_unique<Output::Frames<2>>(
-              folder, "plates", communicator);
+          {
+            plate_frames = std::make_unique<Output::Frames<2>>(
+                folder, "plates", communicator);
+            surface_frames = std::make_unique<Output::Frames<1>>(
+                folder, "surfaces", communicator);
+          }
         for (const auto &plate : bite.get_plates())
           if (plate.get_deformation() && !elastic_frames)
             elastic_frames = std::make_unique<Output::Frames<2>>(
@@ -232,6 +241,7 @@ namespace Morsel
         s.tangential_force.push_back(bite.tangential_force(p));
       }
     stroke.add(s);
+    follow_surfaces();
     drives.follow(stroke.mean_force());
     if (breakage)
       breakage->follow(bite.time());
@@ -374,9 +384,11 @@ namespace Morsel
 
     summarise_stroke(reason);
     summarise_plates();
+    summarise_surfaces();
     drives.summarise(summary);
     summarise_break();
     summarise_fragments();
+    summarise_new_surface();
     summarise_fragment_sizes();
     summarise_ledgers();
     summarise_run();

@@ -4,6 +4,7 @@
 #include "bite.h"
 #include "drive_record.h"
 
+#include <morsel/contact/traction.h>
 #include <morsel/core/run_options.h>
 #include <morsel/measure/breakage.h>
 #include <morsel/measure/energy_ledger.h>
@@ -88,6 +89,24 @@ namespace Morsel
     void
     follow_deflections();
 
+    /// What the plates' surfaces feel.
+    void
+    write_surfaces();
+
+    /// Keeps the surfaces with their forces if the force is at its peak.
+    void
+    follow_surfaces();
+
+    void
+    write_surface_table(const std::vector<Contact::Traction> &tractions) const;
+
+    void
+    summarise_surfaces();
+
+    /// Area of new surface and what it took.
+    void
+    summarise_new_surface();
+
     void
     write_fragments();
 
@@ -150,9 +169,12 @@ namespace Morsel
     std::unique_ptr<Output::Frames<0>> particle_frames;
     std::unique_ptr<Output::Frames<2>> plate_frames;
     std::unique_ptr<Output::Frames<2>> elastic_frames;
+    std::unique_ptr<Output::Frames<1>> surface_frames;
     Output::Summary                    summary;
 
     std::vector<double> deflections; ///< largest so far, by plate [m]
+    /// As they were at the peak of the mean force, this rank's forces.
+    std::vector<Contact::Surface> surfaces_at_peak;
 
     double       last_sample_time = -1.;
     double       last_frame_time  = -1.;

@@ -58,7 +58,13 @@ namespace Morsel::Contact
     for (unsigned int c = candidate.first; c < candidate.last; ++c)
       {
         const auto p = project(surface, facets_near[c], x);
-        if (std::abs(p.distance) < best)
+        // Beyond a corner both of its facets are equally near; if it is sharp,
+        // the point may lie behind the line of one: the other one is right.
+        const bool sides_differ =
+            p.distance * nearest.distance < 0. &&
+            std::abs(std::abs(p.distance) - best) < 1e-9 * best;
+        if (sides_differ ? std::abs(p.offset) > std::abs(nearest.offset)
+                         : std::abs(p.distance) < best)
           {
             nearest = p;
             best    = std::abs(p.distance);

@@ -2,14 +2,29 @@
 
 namespace Morsel::Jaw
 {
+  namespace
+  {
+    std::vector<std::vector<dealii::Point<2>>>
+    loops_of(const Scene::Outline &outline)
+    {
+      const auto                                &edges  = outline.get_edges();
+      const auto                                &starts = outline.loop_starts();
+      std::vector<std::vector<dealii::Point<2>>> loops(starts.size() - 1);
+      for (unsigned int l = 0; l < loops.size(); ++l)
+        for (unsigned int e = starts[l]; e < starts[l + 1]; ++e)
+          loops[l].push_back(edges[e].first);
+      return loops;
+    }
+  } // namespace
+
+
   Plate::Plate(const Scene::PlateBody &body,
                std::shared_ptr<Drive>  drive,
                const double            node_spacing)
       : body(body)
-      , surface(Contact::rectangle_surface(body.name,
-                                           body.shape.lower_corner,
-                                           body.shape.upper_corner,
-                                           node_spacing))
+      , surface(Contact::polygon_surface(body.name,
+                                         loops_of(body.shape.outline()),
+                                         node_spacing))
       , drive(std::move(drive))
       , initial_nodes(surface.nodes)
   {}

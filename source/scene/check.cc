@@ -264,7 +264,7 @@ namespace Morsel::Scene
           scene.plate_bodies.begin(),
           scene.plate_bodies.end(),
           [&](const PlateBody &b) { return b.name == pair.plate; });
-      const double gap = -overlap(food->shape, plate->shape);
+      const double gap = gap_between(*food, *plate);
       // The potential reaches 1.5 spacings from a particle's centre, which
       // lies half a spacing inside of the food.
       if (scene.contact.law == "potential" && gap < (1. - 1e-6) * food->spacing)

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -39,53 +40,23 @@ namespace Morsel::Scene
     }
 
 
+    /// @param path of the entry that says most of the shape
+    /// @param complete does it, given the folder of the scene's file
     void
-    complete_shape(ParticleBody                      &body,
-                   const std::string                 &file_name,
-                   const std::vector<ParameterEntry> &entries)
+    complete_shape(const std::string                              &path,
+                   const std::string                              &file_name,
+                   const std::vector<ParameterEntry>              &entries,
+                   const std::function<void(const std::string &)> &complete)
     {
-      const std::string path =
-          "Body " + body.name + "/Shape/" + body.shape.main_entry();
       try
         {
-          body.shape.complete(
-              body.particles_across,
-              std::filesystem::path(file_name).parent_path().string());
+          complete(std::filesystem::path(file_name).parent_path().string());
         }
       catch (const InputError &error)
         {
           const std::string where = last_place(entries, path);
           throw InputError((where.empty() ? file_name : where) + ": '" + path +
                            "' = '" + last_value(entries, path, "") +
-                           "': " + error.what() + ".");
-        }
-    }
-
-
-    /// An elastic body's mesh: its full path and its box.
-    void
-    complete_mesh(PlateBody                         &body,
-                  const std::string                 &file_name,
-                  const std::vector<ParameterEntry> &entries)
-    {
-      std::string &mesh = body.deformation.mesh_file;
-      if (mesh.empty())
-        return;
-      const std::string path = "Body " + body.name + "/Deformation/Mesh file";
-      try
-        {
-          mesh = std::filesystem::absolute(
-                     std::filesystem::path(file_name).parent_path() / mesh)
-                     .lexically_normal()
-                     .string();
-          const Outline outline   = outline_of_mesh(mesh);
-          body.shape.lower_corner = outline.lower();
-          body.shape.upper_corner = outline.upper();
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(last_place(entries, path) + ": '" + path + "' = '" +
-                           last_value(entries, path, "") +
                            "': " + error.what() + ".");
         }
     }
@@ -278,10 +249,19 @@ namespace Morsel::Scene
     if (scene.name.empty())
       scene.name = std::filesystem::path(file_name).stem().string();
     for (ParticleBody &body : scene.particle_bodies)
-      complete_shape(body, file_name, entries);
+      complete_shape("Body " + body.name + "/Shape/" + body.shape.main_entry(),
+                     file_name,
+                     entries,
+                     [&](const std::string &folder) {
+                       body.shape.complete(body.particles_across, folder);
+                     });
     for (PlateBody &body : scene.plate_bodies)
       {
-        complete_mesh(body, file_name, entries);
+        complete_shape(
+            "Body " + body.name + "/Shape/Mesh file",
+            file_name,
+            entries,
+            [&](const std::string &folder) { body.shape.complete(folder); });
         complete_table(body, file_name, entries);
       }
     if (last_place(entries, "Domain/Lower corner").empty() &&

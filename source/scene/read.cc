@@ -262,17 +262,14 @@ namespace Morsel::Scene
             prm.leave_subsection();
           }
       for (const PlateBody &body : scene.plate_bodies)
-        if (!body.deformation.mesh_file.empty())
+        if (body.shape.is_mesh())
           {
-            const Rectangle   box  = body.shape;
-            const std::string mesh = body.deformation.mesh_file;
+            const PlateShape shape = body.shape;
             prm.enter_subsection("Body " + body.name);
             prm.enter_subsection("Shape");
-            prm.set("Lower corner", point_text(box.lower_corner));
-            prm.set("Upper corner", point_text(box.upper_corner));
-            prm.leave_subsection();
-            prm.enter_subsection("Deformation");
-            prm.set("Mesh file", mesh);
+            prm.set("Lower corner", point_text(shape.lower_corner));
+            prm.set("Upper corner", point_text(shape.upper_corner));
+            prm.set("Mesh file", shape.mesh_file);
             prm.leave_subsection();
             prm.leave_subsection();
           }

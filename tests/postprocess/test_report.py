@@ -16,10 +16,11 @@ sys.path.insert(0, str(HERE))
 sys.path.insert(0, str(HERE.parent.parent / "postprocess"))
 
 import matplotlib.pyplot as plt
+import numpy as np
 
 import report
 import synthetic
-from morsel_report import food, reader, style
+from morsel_report import food, reader, style, teeth
 
 
 class ReportTest(unittest.TestCase):
@@ -70,12 +71,43 @@ class ReportTest(unittest.TestCase):
         self.addCleanup(plt.close, figure)
         food.draw_plates(axes, run, 0.0, "von_mises",
                          lambda values: ["red"] * len(values))
-        # The other plate is drawn as its box, this one by its cells.
-        self.assertEqual(len(axes.patches), 1)
-        self.assertEqual(len(axes.collections), 1)
+        # Cells and outline of this plate, then of the other, which is rigid.
+        self.assertEqual(len(axes.collections), 4)
         self.assertEqual(tuple(axes.collections[0].get_facecolor()[0]),
                          (1.0, 0.0, 0.0, 1.0))
+        self.assertEqual(len(axes.collections[2].get_paths()), 1)
         self.report()
+
+    def test_outline_of_cells(self):
+        # Two cells side by side, with nodes of their own: six outer edges;
+        # a triangle is a cell with a corner twice.
+        nodes = 1e-3 * np.array([[0, 0], [1, 0], [1, 1], [0, 1],
+                                 [1, 0], [2, 0], [2, 1], [1, 1],
+                                 [2, 0], [3, 0], [2, 1], [2, 1]])
+        cells = np.arange(12).reshape(3, 4)
+        self.assertEqual(len(teeth.edges_of(nodes, cells[:2])), 6)
+        self.assertEqual(len(teeth.edges_of(nodes, cells)), 7)
+
+    def test_forces_on_teeth(self):
+        synthetic.write_run(self.folder, across=11)
+        synthetic.write_frames(
+            self.folder / "solution", "surfaces", "Polyline",
+            [(0.0, {"nodes": [[0, 0.01], [0.004, 0.01], [0.004, 0.01],
+                              [0.01, 0.01]],
+                    "cells": [[0, 1], [2, 3]], "plate": [1.0] * 4,
+                    "traction": [[0, 0, 0], [0, 2e4, 0], [0, 2e4, 0],
+                                 [0, 0, 0]]})])
+        (self.folder / "surface_forces.csv").write_text(
+            "plate [1],arc_length [m],x [m],y [m],normal_pressure [Pa],"
+            "tangential_traction [Pa]\n0,0,0,0,0,0\n0,0.01,0.01,0,0,0\n"
+            "1,0,0,0.01,0,0\n1,0.004,0.004,0.01,2e4,3e3\n"
+            "1,0.01,0.01,0.01,0,0\n", encoding="utf-8")
+        run = reader.Run(self.folder)
+        force, centre = teeth.loads(run.surfaces[0], 0.01)[1]
+        self.assertAlmostEqual(force[1], 0.01 * 0.01 * 1e4)
+        self.assertAlmostEqual(centre[0], 0.4 * 0.002 + 0.6 * 0.007)
+        self.report()
+        self.assertIn("tractions", self.figures())
 
     def test_scene_without_damage(self):
         synthetic.write_fields(self.folder, across=11, fields=False)

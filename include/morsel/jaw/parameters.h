@@ -18,7 +18,6 @@ namespace Morsel::Jaw
     double youngs_modulus = 0.; ///< [Pa]
     double poissons_ratio = 0.; ///< [1]
 
-    std::string      mesh_file;        ///< empty: the rectangle
     double           cell_size = 0.;   ///< [m], 0: by rule
     unsigned int     degree    = 1;    ///< of the displacement
     std::string      held_sides;       ///< that follow the motion

@@ -15,8 +15,8 @@ namespace Morsel::Jaw
   class Plate
   {
   public:
-    /// A rigid rectangle.
-    /// @param node_spacing of the surface [m].
+    /// A rigid rectangle or mesh.
+    /// @param node_spacing of the surface, at most [m].
     Plate(const Scene::PlateBody &body,
           std::shared_ptr<Drive>  drive,
           double                  node_spacing);

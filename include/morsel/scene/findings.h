@@ -117,6 +117,11 @@ namespace Morsel::Scene
   /// negative where there is a gap.
   double
   overlap(const Rectangle &a, const Rectangle &b);
+
+  /// Between food and a plate: that of their boxes if both are rectangles,
+  /// else that of their outlines, negative where they overlap [m].
+  double
+  gap_between(const ParticleBody &food, const PlateBody &plate);
 } // namespace Morsel::Scene
 
 #endif

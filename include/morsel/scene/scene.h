@@ -10,6 +10,7 @@
 #include <morsel/materials/parameters.h>
 #include <morsel/scene/body_shape.h>
 #include <morsel/scene/conditions.h>
+#include <morsel/scene/plate_shape.h>
 #include <morsel/scene/rectangle.h>
 #include <morsel/sph/parameters.h>
 
@@ -93,7 +94,7 @@ namespace Morsel::Scene
   struct PlateBody
   {
     std::string           name;
-    Rectangle             shape;
+    PlateShape            shape;
     double                node_spacing = 0.; ///< of its surface [m], 0 = dp/2
     Jaw::MotionParameters motion;
     Jaw::DeformationParameters deformation;
