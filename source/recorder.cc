@@ -187,11 +187,15 @@ namespace Morsel
       , frame_due(scene.output.field_frames,
                   2. * interesting_time(scene, bite.closing_axis()) /
                       std::max(1u, scene.output.field_frames))
+      , tooth_cracks(bite, log)
       , loop_wall_begin(log.wall_time())
   {
+    auto       columns = history_columns(scene);
+    const auto more    = tooth_cracks.columns();
+    columns.insert(columns.end(), more.begin(), more.end());
     if (first_rank)
       history = std::make_unique<Output::History>(
-          options.output_directory + "/history.csv", history_columns(scene));
+          options.output_directory + "/history.csv", columns);
     if (scene.output.fields)
       {
         const std::string folder = options.output_directory + "/solution";
@@ -262,6 +266,7 @@ namespace Morsel
       forces.push_back(bite.normal_force(p));
     for (unsigned int p = 0; p < bite.get_plates().size(); ++p)
       forces.push_back(bite.tangential_force(p));
+    const auto crack_values = tooth_cracks.follow(forces);
 
     if (history)
       {
@@ -290,6 +295,7 @@ namespace Morsel
                     momentum_error,
                     bite.food().failed_share(),
                     bite.time_step()});
+        row.insert(row.end(), crack_values.begin(), crack_values.end());
         history->add_row(row);
       }
 
@@ -366,6 +372,7 @@ namespace Morsel
 
     summarise_stroke(reason);
     summarise_plates();
+    tooth_cracks.summarise(summary);
     summarise_break();
     summarise_fragments();
     summarise_fragment_sizes();

@@ -2,6 +2,7 @@
 #define morsel_source_recorder_h
 
 #include "bite.h"
+#include "recorder_cracks.h"
 
 #include <morsel/core/run_options.h>
 #include <morsel/measure/breakage.h>
@@ -151,6 +152,7 @@ namespace Morsel
     Output::Summary                    summary;
 
     std::vector<double> deflections; ///< largest so far, by plate [m]
+    ToothCrackRecorder  tooth_cracks;
 
     double       last_sample_time = -1.;
     double       last_frame_time  = -1.;
