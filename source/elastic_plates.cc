@@ -137,6 +137,15 @@ namespace Morsel
   }
 
 
+  void
+  check_cracked_bodies(const Scene::Scene &scene)
+  {
+    for (const auto &plate : scene.plate_bodies)
+      if (plate.deformation.elastic && !plate.cracks.paths.empty())
+        make_elastic_body(scene, plate);
+  }
+
+
   ResponseChoice
   choose_response(const Scene::Scene     &scene,
                   const Scene::PlateBody &plate,

@@ -119,12 +119,12 @@ namespace Morsel
       {
         for (const Tip &tip : body.tips)
           summarise_tip(summary, tip);
-        summary.add("smallest_crack_opening_" + body.name,
-                    body.smallest_opening,
+        summary.add("largest_crack_overlap_" + body.name,
+                    std::max(0., -body.smallest_opening),
                     "m",
-                    "smallest distance of the faces of its cracks at any "
-                    "sample; negative: they would overlap, which nothing "
-                    "prevents");
+                    "by how much the faces of its cracks would pass each other "
+                    "at any sample: they are closed there, which is not "
+                    "modelled");
         if (-body.smallest_opening > noticeable_overlap * body.largest_opening)
           log.warning(
               "Faces of cracks in body '" +

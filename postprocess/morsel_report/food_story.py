@@ -1,5 +1,5 @@
 """What the page tells of food between plates."""
-from . import curves, food, style
+from . import curves, food, style, tooth_cracks
 from .tables import warnings_of
 
 # Of measured fracture patterns; dust at random stays below.
@@ -17,6 +17,10 @@ FIGURES = [
      "light grey is what has failed altogether, darker grey are crumbs too "
      "small to count.", True),
     ("force", curves.force_over_time, "Force on the plates over time.", False),
+    ("tooth_cracks", tooth_cracks.stress_intensity_over_time,
+     "Stress intensity at the tips of the teeth's cracks: where the equivalent "
+     "of K_I and K_II reaches the toughness K_Ic the crack would grow. Grey: "
+     "the force on the tooth.", True),
     ("stress_strain", curves.stress_over_strain,
      "Nominal stress (mean force over the loaded area) against nominal "
      "strain: the slope of the rise, the peak, where it had fallen to half, "
@@ -39,6 +43,7 @@ SECTIONS = [
     ("The pieces", ["fragments", "fragment_sizes", "fragment_distribution",
                     "failed_share"]),
     ("Force and stress", ["force", "stress_strain"]),
+    ("Cracks in the teeth", ["tooth_cracks"]),
     ("The energy ledger", ["energy"]),
 ]
 
@@ -89,6 +94,7 @@ def outcome(run):
         sentences.append(text + ".")
     if not given and count is not None:
         sentences += direction(run)
+    sentences += tooth_cracks.outcome(run)
     return " ".join(sentences)
 
 

@@ -14,11 +14,15 @@ namespace Morsel::FE
   namespace
   {
     /// Measured on an edge crack, see doc/jaw.md.
-    constexpr double layers_of_tip_functions = 4.;
+    constexpr double layers_of_tip_functions = 6.;
 
-    /// Of the segment at the tip that its functions may take where the segment
-    /// ends at another tip or at a mouth.
+    /// Of the segment at the tip that its functions may take where it ends at a
+    /// mouth.
     constexpr double share_of_segment = 0.9;
+
+    /// Cells between tip functions and an inner end of the segment: they
+    /// fade out over the diagonal of one, next to which there may be a larger.
+    constexpr double cells_to_end = 3.;
 
 
     template <typename CellIterator>
@@ -51,11 +55,17 @@ namespace Morsel::FE
     std::vector<EnrichmentParameters> parameters;
     for (const Fracture::CrackTip &tip : Fracture::collect_tips(cracks))
       {
-        const double h = cell_size_at(mesh, tip.position);
-        // Functions fade out over a layer of cells, clear of a kink.
-        const bool   kinked = cracks[tip.crack].get_vertices().size() > 2;
+        const double h     = cell_size_at(mesh, tip.position);
+        const auto  &crack = cracks[tip.crack];
+        const bool   ends_inside =
+            crack.get_vertices().size() > 2 || crack.has_tip(1 - tip.end);
         const double room =
-            kinked ? tip.segment - 2. * h : share_of_segment * tip.segment;
+            ends_inside
+                ? tip.segment -
+                      cells_to_end *
+                          cell_size_at(
+                              mesh, tip.position - tip.segment * tip.direction)
+                : share_of_segment * tip.segment;
         EnrichmentParameters p;
         p.tip_degree = degree;
         p.radius     = std::clamp(room, 0., layers_of_tip_functions * h);

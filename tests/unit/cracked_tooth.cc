@@ -90,16 +90,18 @@ namespace
       p.smallest_degree    = degree;
       p.corner_refinements = 0;
       p.tip_refinements    = refinements;
-      p.enrichment_radius  = std::min(4. * side / n / (1u << refinements),
-                                     0.9 * (first.distance(last) + overhang()));
+      const double cell    = side / n / (1u << refinements);
+      p.enrichment_radius =
+          std::min(6. * cell,
+                   is_embedded() ? first.distance(last) - 3. * cell
+                                 : 0.9 * (first.distance(last) + 0.01 * side));
       return p;
     }
 
-    double
-    overhang() const
+    bool
+    is_embedded() const
     {
-      const bool embedded = first[0] > 0. && first[1] > 0.;
-      return embedded ? 0. : 0.01 * side;
+      return first[0] > 0. && first[1] > 0.;
     }
   };
 

@@ -13,7 +13,7 @@ namespace Morsel::FE
   cell_size_at(const dealii::Triangulation<2> &mesh, const dealii::Point<2> &p);
 
 
-  /// Tip functions within four cells of each tip, with the ramp, times
+  /// Tip functions within six cells of each tip, with the ramp, times
   /// functions of the body's degree; fewer where the crack's segment at the tip
   /// is short: they jump along its straight continuation.
   /// @param cracks with their mouths extended beyond the body
