@@ -21,6 +21,9 @@ FIGURES = [
      "Stress intensity at the tips of the teeth's cracks: where the equivalent "
      "of K_I and K_II reaches the toughness K_Ic the crack would grow. Grey: "
      "the force on the tooth.", True),
+    ("open_cracks", tooth_cracks.open_cracks,
+     "The teeth that deform when K was largest, magnified: their cracks are "
+     "open.", True),
     ("stress_strain", curves.stress_over_strain,
      "Nominal stress (mean force over the loaded area) against nominal "
      "strain: the slope of the rise, the peak, where it had fallen to half, "
@@ -43,7 +46,7 @@ SECTIONS = [
     ("The pieces", ["fragments", "fragment_sizes", "fragment_distribution",
                     "failed_share"]),
     ("Force and stress", ["force", "stress_strain"]),
-    ("Cracks in the teeth", ["tooth_cracks"]),
+    ("Cracks in the teeth", ["tooth_cracks", "open_cracks"]),
     ("The energy ledger", ["energy"]),
 ]
 

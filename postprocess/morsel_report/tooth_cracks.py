@@ -1,8 +1,11 @@
 """Cracks in elastic teeth: K over time, and whether they would grow."""
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import Normalize
 
-from . import style
+from . import food, style
 
 PREFIX = "stress_intensity_I_"
 COLOURS = [style.BLUE, style.ORANGE, style.GREEN, style.PURPLE]
@@ -46,7 +49,6 @@ def stress_intensity_over_time(run):
     for plate in sorted({plate_of(run, n) for n in names} - {None}):
         behind.fill_between(time_factor * t, run.column("force_" + plate),
                             color=style.DUST, lw=0, alpha=0.5)
-    behind.set_ylim(bottom=0)
     behind.set_ylabel("Force on the tooth [N]", color=style.CRUMB)
     behind.spines["right"].set_visible(True)
     behind.grid(False)
@@ -72,10 +74,53 @@ def stress_intensity_over_time(run):
                       color=style.RED)
     axes.set_xlim(0, time_factor * t.max())
     low, high = axes.get_ylim()
-    axes.set_ylim(low, high + 0.06 * (high - low))
+    high += 0.06 * (high - low)
+    axes.set_ylim(low, high)
+    # One zero for both.
+    force = behind.get_ylim()[1]
+    behind.set_ylim(low / high * force, force)
     axes.set_xlabel(f"Time [{time_unit}]")
     axes.set_ylabel(f"Stress intensity [{unit} √m]")
     axes.legend(loc="center right")
+    return figure
+
+
+def open_cracks(run):
+    """The cracked teeth when K was largest: stress, with the deformation
+    magnified so that the cracks are open."""
+    names = tips(run)
+    if not names or not run.elastic_plates:
+        return None
+    worst = max(names, key=lambda n: run.value(
+        "largest_equivalent_stress_intensity_" + n, 0.0))
+    time = run.value("time_of_largest_equivalent_stress_intensity_" + worst)
+    frame = food.nearest(run.elastic_plates, time or 0.0)
+    nodes, cells = frame.points(), frame.read("cells")
+    moved, stress = frame.read("displacement"), frame.read("von_mises")
+    largest = np.max(np.abs(moved), initial=0.0)
+    if largest == 0.0:
+        return None
+    cells = cells.astype(int)
+    times = 0.03 * np.max(np.ptp(nodes, axis=0)) / largest
+    times = float(f"{times:.1g}")
+    corners = 1e3 * (nodes + (times - 1.0) * moved[:, :2])[cells]
+    factor, unit = style.prefix_of(np.percentile(stress, 98), "Pa")
+    colours = ScalarMappable(
+        Normalize(0, factor * np.percentile(stress, 98)), "viridis")
+    figure, axes = plt.subplots(figsize=(9.6, 3.2), layout="constrained")
+    axes.add_collection(PolyCollection(
+        corners, facecolors=colours.to_rgba(
+            factor * stress[cells].mean(axis=1)),
+        edgecolors="none", antialiaseds=False, rasterized=True))
+    axes.autoscale_view()
+    axes.set_aspect("equal")
+    axes.grid(False)
+    axes.set_xlabel("x [mm]")
+    axes.set_ylabel("y [mm]")
+    axes.set_title(f"{style.quantity(frame.time, 's', 3)} · deformation "
+                   f"{times:g} times its size", loc="left", fontsize=10)
+    figure.colorbar(colours, ax=axes, extend="max", shrink=0.8,
+                    label=f"Von Mises stress [{unit}]")
     return figure
 
 
