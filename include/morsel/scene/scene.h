@@ -98,6 +98,7 @@ namespace Morsel::Scene
     double                node_spacing = 0.; ///< of its surface [m], 0 = dp/2
     Jaw::MotionParameters motion;
     Jaw::DeformationParameters deformation;
+    Fracture::CrackPaths       cracks; ///< of an elastic one
 
     void
     declare(dealii::ParameterHandler &prm);
