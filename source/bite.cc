@@ -42,6 +42,7 @@ namespace Morsel
     make_plates(elastic);
     make_pairs();
     make_meetings();
+    make_neighbours();
     limit_step_by_drives();
     if (!scene.conditions.empty())
       for (unsigned int s = 0; s < solids.size(); ++s)
@@ -67,6 +68,9 @@ namespace Morsel
                                  pair.contact->stiffness() +
                                      plate_frequencies[pair.plate] *
                                          solids[s]->contact_side().mass);
+        for (const auto &two : neighbours)
+          if (two.first == s || two.second == s)
+            stiffness += two.contact->stiffness();
         smallest = std::min(smallest, solids[s]->stable_time_step(stiffness));
       }
     return smallest;
@@ -183,6 +187,12 @@ namespace Morsel
       solids[pair.solid]->apply_forces(plates[pair.plate].settles()
                                            ? pair.contact->last_forces()
                                            : press(pair));
+    for (auto &two : neighbours)
+      {
+        two.contact->compute(dt);
+        solids[two.first]->apply_forces(two.contact->forces_on_first());
+        solids[two.second]->apply_forces(two.contact->forces_on_second());
+      }
     for (unsigned int s = 0; s < conditions.size(); ++s)
       conditions[s].apply(*solids[s], now, dt);
   }
@@ -292,6 +302,7 @@ namespace Morsel
     };
     std::for_each(pairs.begin(), pairs.end(), add);
     std::for_each(meetings.begin(), meetings.end(), add);
+    std::for_each(neighbours.begin(), neighbours.end(), add);
     for (const auto &plate : plates)
       {
         contact[2] += plate.work();

@@ -7,6 +7,7 @@
 #include <morsel/measure/energy_ledger.h>
 #include <morsel/scene/scene.h>
 #include <morsel/sph/applied_conditions.h>
+#include <morsel/sph/body_contact.h>
 #include <morsel/sph/solid.h>
 
 #include <memory>
@@ -144,6 +145,13 @@ namespace Morsel
       std::vector<Motion>                    motion; ///< of nodes
     };
 
+    /// Two particle bodies.
+    struct Neighbours
+    {
+      unsigned int                      first, second;
+      std::unique_ptr<SPH::BodyContact> contact;
+    };
+
     void
     find_closing_axis();
 
@@ -155,6 +163,9 @@ namespace Morsel
 
     void
     make_meetings();
+
+    void
+    make_neighbours();
 
     /// Limits the step by drives whose mass the food pushes.
     void
@@ -199,6 +210,7 @@ namespace Morsel
     std::vector<std::shared_ptr<Jaw::Drive>> drives;    ///< each once
     std::vector<Pair>                        pairs;
     std::vector<Meeting>                     meetings;
+    std::vector<Neighbours>                  neighbours;
     std::vector<SPH::AppliedConditions>      conditions; ///< none, or by solid
 
     /// Largest squares of frequencies of plates on contact springs [1/s^2].

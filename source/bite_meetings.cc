@@ -60,6 +60,34 @@ namespace Morsel
 
 
   void
+  Bite::make_neighbours()
+  {
+    const auto place = [this](const std::string &name) {
+      unsigned int s = 0;
+      while (scene.particle_bodies[s].name != name)
+        ++s;
+      return s;
+    };
+    for (const auto &pair : scene.food_pairs)
+      {
+        const unsigned int first  = place(pair.first),
+                           second = place(pair.second);
+        const double softer =
+            std::min(solids[first]->get_material().p_wave_modulus,
+                     solids[second]->get_material().p_wave_modulus);
+        neighbours.push_back(
+            {first,
+             second,
+             std::make_unique<SPH::BodyContact>(solids[first]->get_particles(),
+                                                solids[second]->get_particles(),
+                                                scene.contact.stiffness *
+                                                    softer * scene.depth,
+                                                scene.contact.friction)});
+      }
+  }
+
+
+  void
   Bite::meet(Meeting &meeting)
   {
     auto              &first = plates[meeting.first].surface;

@@ -1,5 +1,7 @@
 #include "elastic_plates.h"
 
+#include "tooth_cracks.h"
+
 #include <morsel/core/suggestions.h>
 #include <morsel/fe/plate_mesh.h>
 #include <morsel/scene/mesh.h>
@@ -16,6 +18,9 @@ namespace Morsel
   {
     /// A body that answers within this share of the loading has no inertia.
     constexpr double quick_answer = 0.1;
+
+    /// Cells closer to a crack tip than so many of their diameters are halved.
+    constexpr double refined_layers = 2.;
 
 
     std::set<dealii::types::boundary_id>
@@ -116,7 +121,8 @@ namespace Morsel
   make_elastic_body(const Scene::Scene &scene, const Scene::PlateBody &plate)
   {
     const auto &given = plate.deformation;
-    auto        mesh  = std::make_unique<dealii::Triangulation<2>>();
+    auto        mesh  = std::make_unique<dealii::Triangulation<2>>(
+        dealii::Triangulation<2>::limit_level_difference_at_vertices);
     if (plate.shape.is_mesh())
       plate.shape.place_mesh(*mesh);
     else
@@ -147,7 +153,22 @@ namespace Morsel
     properties.depth          = scene.depth;
     properties.degree         = given.degree;
     properties.held           = held_ids(plate);
-    return std::make_unique<FE::ElasticBody>(std::move(mesh), properties);
+
+    const FE::ElasticBodyCracks cracks = cracks_of(plate, *mesh);
+    for (const auto &tip : Fracture::collect_tips(cracks.cracks))
+      FE::refine_towards(
+          *mesh, tip.position, given.tip_refinements, refined_layers);
+    return std::make_unique<FE::ElasticBody>(
+        std::move(mesh), properties, cracks);
+  }
+
+
+  void
+  check_cracked_bodies(const Scene::Scene &scene)
+  {
+    for (const auto &plate : scene.plate_bodies)
+      if (plate.deformation.elastic && !plate.cracks.paths.empty())
+        make_elastic_body(scene, plate);
   }
 
 
@@ -175,11 +196,13 @@ namespace Morsel
     const double food_yields =
         height * (1. - nu * nu) / food.material.youngs_modulus;
     const double      ratio = yields / food_yields;
+    const std::string cracked =
+        body.cracks() ? "K of its cracks needs its deformation; " : "";
     const std::string share =
-        "it yields " + number_text(100. * ratio) +
+        cracked + "it yields " + number_text(100. * ratio) +
         " % of what the food does under the same pressure (tolerance " +
         number_text(100. * given.tolerance) + " %)";
-    if (ratio < given.tolerance)
+    if (ratio < given.tolerance && !body.cracks())
       return {"rigid", share};
 
     const double period =

@@ -15,6 +15,13 @@ namespace Morsel
   make_elastic_body(const Scene::Scene &scene, const Scene::PlateBody &plate);
 
 
+  /// Makes those that have cracks for a trial, so that their mistakes are told
+  /// before anything is written.
+  /// @throws InputError
+  void
+  check_cracked_bodies(const Scene::Scene &scene);
+
+
   /// How a plate answers the food, and why.
   struct ResponseChoice
   {

@@ -196,12 +196,15 @@ namespace Morsel
       , frame_due(scene.output.field_frames,
                   2. * interesting_time(scene, bite.closing_axis()) /
                       std::max(1u, scene.output.field_frames))
+      , tooth_cracks(bite, log)
       , loop_wall_begin(log.wall_time())
   {
+    auto       columns = history_columns(scene, drives);
+    const auto more    = tooth_cracks.columns();
+    columns.insert(columns.end(), more.begin(), more.end());
     if (first_rank)
       history = std::make_unique<Output::History>(
-          options.output_directory + "/history.csv",
-          history_columns(scene, drives));
+          options.output_directory + "/history.csv", columns);
     if (scene.output.fields)
       {
         const std::string folder = options.output_directory + "/solution";
@@ -278,6 +281,7 @@ namespace Morsel
       forces.push_back(bite.normal_force(p));
     for (unsigned int p = 0; p < bite.get_plates().size(); ++p)
       forces.push_back(bite.tangential_force(p));
+    const auto crack_values = tooth_cracks.follow(forces);
 
     const auto of_drives = drives.row();
     if (history)
@@ -308,6 +312,7 @@ namespace Morsel
                     momentum_error,
                     bite.food().failed_share(),
                     bite.time_step()});
+        row.insert(row.end(), crack_values.begin(), crack_values.end());
         history->add_row(row);
       }
 
@@ -386,6 +391,7 @@ namespace Morsel
     summarise_plates();
     summarise_surfaces();
     drives.summarise(summary);
+    tooth_cracks.summarise(summary);
     summarise_break();
     summarise_fragments();
     summarise_new_surface();

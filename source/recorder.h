@@ -3,6 +3,7 @@
 
 #include "bite.h"
 #include "drive_record.h"
+#include "recorder_cracks.h"
 
 #include <morsel/contact/traction.h>
 #include <morsel/core/run_options.h>
@@ -175,6 +176,7 @@ namespace Morsel
     std::vector<double> deflections; ///< largest so far, by plate [m]
     /// As they were at the peak of the mean force, this rank's forces.
     std::vector<Contact::Surface> surfaces_at_peak;
+    ToothCrackRecorder  tooth_cracks;
 
     double       last_sample_time = -1.;
     double       last_frame_time  = -1.;

@@ -1,5 +1,6 @@
 #include "bite.h"
 #include "costs.h"
+#include "elastic_plates.h"
 #include "experiment_run.h"
 #include "recorder.h"
 #include "trial_steps.h"
@@ -73,6 +74,7 @@ namespace Morsel
         run_experiment(scene, options);
         return;
       }
+    check_cracked_bodies(scene);
     const FirstRank writer;
     writer.run([&] { prepare_output_directory(options.output_directory); });
     const MPI_Comm communicator = MPI_COMM_WORLD;

@@ -1,5 +1,5 @@
 """What the page tells of food between plates."""
-from . import curves, food, style, teeth
+from . import curves, drives, food, style, teeth, tooth_cracks
 from .tables import warnings_of
 
 # Of measured fracture patterns; dust at random stays below.
@@ -22,6 +22,13 @@ FIGURES = [
      "normal pressure and tangential traction, smoothed over the width of a "
      "particle.", True),
     ("force", curves.force_over_time, "Force on the plates over time.", False),
+    ("tooth_cracks", tooth_cracks.stress_intensity_over_time,
+     "Stress intensity at the tips of the teeth's cracks: where the equivalent "
+     "of K_I and K_II reaches the toughness K_Ic the crack would grow. Grey: "
+     "the force on the tooth.", True),
+    ("open_cracks", tooth_cracks.open_cracks,
+     "The teeth that deform when K was largest, magnified: their cracks are "
+     "open.", True),
     ("stress_strain", curves.stress_over_strain,
      "Nominal stress (mean force over the loaded area) against nominal "
      "strain: the slope of the rise, the peak, where it had fallen to half, "
@@ -33,6 +40,13 @@ FIGURES = [
      "size.", False),
     ("failed_share", curves.failed_share,
      "How much of the food has failed altogether.", False),
+    ("closing", drives.closing,
+     "Force, and the speed at which the tooth closes along the direction of "
+     "closing: hard food slows a jaw or a driven mass, its break sets it "
+     "free.", False),
+    ("muscles", drives.muscles,
+     "The moment of the muscles about the condyle, which falls as they "
+     "shorten faster, and where their work goes.", False),
     ("energy", curves.energy_ledger,
      "Where the work of the plates goes: blue and green is stored, warm "
      "colours are spent. What separates the stack from the black line is the "
@@ -44,6 +58,8 @@ SECTIONS = [
     ("The pieces", ["fragments", "fragment_sizes", "fragment_distribution",
                     "failed_share"]),
     ("Force and stress", ["force", "stress_strain", "tractions"]),
+    ("What moves the teeth", ["closing", "muscles"]),
+    ("Cracks in the teeth", ["tooth_cracks", "open_cracks"]),
     ("The energy ledger", ["energy"]),
 ]
 
@@ -94,6 +110,7 @@ def outcome(run):
         sentences.append(text + ".")
     if not given and count is not None:
         sentences += direction(run)
+    sentences += tooth_cracks.outcome(run)
     return " ".join(sentences)
 
 

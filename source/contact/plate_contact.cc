@@ -1,3 +1,4 @@
+#include <morsel/contact/facet_grid.h>
 #include <morsel/contact/gap_penalty.h>
 #include <morsel/contact/plate_contact.h>
 #include <morsel/core/kernel.h>
@@ -242,23 +243,15 @@ namespace Morsel::Contact
     candidates.clear();
     facets_near.clear();
 
-    // Bounding box first: most particles are far from the surface.
-    const double     reach = range + margin;
-    dealii::Point<2> lower = surface.nodes[0], upper = surface.nodes[0];
-    for (const auto &node : surface.nodes)
-      for (unsigned int d = 0; d < 2; ++d)
-        {
-          lower[d] = std::min(lower[d], node[d]);
-          upper[d] = std::max(upper[d], node[d]);
-        }
+    const double    reach = range + margin;
+    const FacetGrid grid(surface, reach);
     for (unsigned int i = 0; i < x.size(); ++i)
       {
-        if (x[i][0] < lower[0] - reach || x[i][0] > upper[0] + reach ||
-            x[i][1] < lower[1] - reach || x[i][1] > upper[1] + reach)
-          continue;
         const unsigned int first = facets_near.size();
-        for (unsigned int f = 0; f < surface.facets.size(); ++f)
-          if (std::abs(project(surface, f, x[i]).distance) < reach)
+        const auto [begin, end]  = grid.near(x[i]);
+        for (unsigned int c = begin; c < end; ++c)
+          if (const unsigned int f = grid.candidates()[c];
+              std::abs(project(surface, f, x[i]).distance) < reach)
             facets_near.push_back(f);
         if (facets_near.size() > first)
           candidates.push_back(

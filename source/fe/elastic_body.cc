@@ -1,5 +1,6 @@
 #include <morsel/fe/cell_functions.h>
 #include <morsel/fe/elastic_body.h>
+#include <morsel/fe/enrichment_rule.h>
 #include <morsel/materials/elasticity.h>
 
 #include <array>
@@ -48,23 +49,88 @@ namespace Morsel::FE
                   : 0.;
       return mass;
     }
+
+
+    /// The corners of quadrilaterals that make up a cell's picture, four each
+    /// in deal.II's order: the cell itself, or the pieces that cracks cut it
+    /// into, in which corners may coincide.
+    std::vector<Point<2>>
+    picture_corners(const QuadMap                      &map,
+                    const bool                          cut,
+                    const std::vector<Fracture::Crack> &cracks)
+    {
+      const auto &v = map.get_vertices();
+      if (!cut)
+        return {v.begin(), v.end()};
+      std::vector<Point<2>> corners;
+      for (const Polygon &piece : cut_into_pieces(map.polygon(), cracks))
+        for (unsigned int k = 1; k + 1 < piece.size(); k += 2)
+          {
+            const Point<2> &last =
+                piece[std::min<std::size_t>(k + 2, piece.size() - 1)];
+            corners.insert(corners.end(),
+                           {piece[0], piece[k], last, piece[k + 1]});
+          }
+      return corners;
+    }
+
+
+    /// A corner of such a quadrilateral, a little way towards its middle.
+    Point<2>
+    moved_inwards(const std::vector<Point<2>> &corners, const unsigned int k)
+    {
+      constexpr double share = 1e-3;
+      Tensor<1, 2>     middle;
+      for (unsigned int i = 0; i < 4; ++i)
+        middle += 0.25 * corners[k - k % 4 + i];
+      return corners[k] + share * (middle - corners[k]);
+    }
   } // namespace
 
 
   ElasticBody::ElasticBody(std::unique_ptr<Triangulation<2>> mesh,
-                           const ElasticBodyProperties      &properties)
+                           const ElasticBodyProperties      &properties,
+                           const ElasticBodyCracks          &given)
       : properties(properties)
       , material(properties.youngs_modulus, properties.poissons_ratio)
       , mesh(std::move(mesh))
-      , space(std::make_unique<XFEMSpace>(*this->mesh,
-                                          std::vector<Fracture::Crack>(),
-                                          std::vector<EnrichmentParameters>()))
+      , space(std::make_unique<XFEMSpace>(
+            *this->mesh,
+            given.cracks,
+            enrichment_by_rule(*this->mesh, given.cracks, properties.degree)))
   {
+    check_tips_apart(*this->mesh,
+                     space->get_tips(),
+                     "raise 'Deformation/Tip refinements', or lower "
+                     "'Deformation/Cell size'");
     space->distribute(std::vector<unsigned int>(this->mesh->n_active_cells(),
                                                 properties.degree));
+    make_expansion();
     make_matrices();
     find_held_dofs();
     make_surface();
+    if (!given.cracks.empty())
+      crack_functionals = std::make_unique<CrackFunctionals>(
+          *space, material, given.ring_radius, expansion);
+  }
+
+
+  void
+  ElasticBody::make_expansion()
+  {
+    constraints.reinit(space->get_relevant_dofs());
+    constraints.merge(space->get_constraints());
+    constraints.close();
+    std::vector<Eigen::Triplet<double>> entries;
+    for (unsigned int i = 0; i < n_dofs(); ++i)
+      if (!constraints.is_constrained(i))
+        entries.emplace_back(i, i, 1.);
+      else
+        for (const auto &[master, weight] :
+             *constraints.get_constraint_entries(i))
+          entries.emplace_back(i, master, weight);
+    expansion.resize(n_dofs(), n_dofs());
+    expansion.setFromTriplets(entries.begin(), entries.end());
   }
 
 
@@ -80,8 +146,11 @@ namespace Morsel::FE
         functions.evaluate(cell, map, q.points, q.reference);
         use({cell->center(),
              dofs_of(cell),
-             properties.depth *
-                 element_stiffness(functions, n, q.weights, material, 0.),
+             properties.depth * element_stiffness(functions,
+                                                  n,
+                                                  q.weights,
+                                                  material,
+                                                  enrichment_regularisation),
              properties.depth * properties.density *
                  element_mass(functions, n, q.weights)});
       }
@@ -105,6 +174,12 @@ namespace Morsel::FE
     M.resize(n_dofs(), n_dofs());
     K.setFromTriplets(stiffness.begin(), stiffness.end());
     M.setFromTriplets(mass.begin(), mass.end());
+    if (constraints.n_constraints() > 0)
+      {
+        const Eigen::SparseMatrix<double> C = expansion;
+        K = Eigen::SparseMatrix<double>(C.transpose() * K * C);
+        M = Eigen::SparseMatrix<double>(C.transpose() * M * C);
+      }
   }
 
 
@@ -120,7 +195,14 @@ namespace Morsel::FE
             const auto dofs = dofs_of(cell);
             for (unsigned int i = 0; i < dofs.size(); ++i)
               if (cell->get_fe().has_support_on_face(i, f))
-                held_dofs[dofs[i]] = 1.;
+                {
+                  if (!constraints.is_constrained(dofs[i]))
+                    held_dofs[dofs[i]] = 1.;
+                  else // tied to another function of the same node
+                    for (const auto &tie :
+                         *constraints.get_constraint_entries(dofs[i]))
+                      held_dofs[tie.first] = 1.;
+                }
           }
   }
 
@@ -178,6 +260,7 @@ namespace Morsel::FE
       }
     surface_trace.resize(2 * nodes.size(), n_dofs());
     surface_trace.setFromTriplets(rows.begin(), rows.end());
+    surface_trace = surface_trace * expansion;
   }
 
 
@@ -190,7 +273,8 @@ namespace Morsel::FE
         const LocalNumbering &n = space->get_numbering(cell->active_fe_index());
         const auto            dofs = dofs_of(cell);
         for (unsigned int i = 0; i < dofs.size(); ++i)
-          if (n.kind[i] == 0 && n.component[i] == component)
+          if (n.kind[i] == 0 && n.component[i] == component &&
+              !constraints.is_constrained(dofs[i]))
             u[dofs[i]] = 1.;
       }
     return u;
@@ -205,21 +289,26 @@ namespace Morsel::FE
            ExcMessage("A body that nothing holds has no static stiffness."));
     std::vector<ElementSystem> elements;
     for_each_element([&](const Element &element) {
-      std::vector<unsigned int> is_free;
-      ElementSystem             e;
+      ElementSystem e;
       e.center = element.center;
-      for (unsigned int i = 0; i < element.dofs.size(); ++i)
-        if (held_dofs[element.dofs[i]] == 0.)
+      e.dofs.assign(element.dofs.begin(), element.dofs.end());
+      e.matrix =
+          stiffness_factor * element.stiffness + mass_factor * element.mass;
+      e.rhs = Eigen::VectorXd::Zero(e.dofs.size());
+      condense(e, constraints);
+      std::vector<unsigned int> is_free, free_dofs;
+      for (unsigned int i = 0; i < e.dofs.size(); ++i)
+        if (held_dofs[e.dofs[i]] == 0.)
           {
             is_free.push_back(i);
-            e.dofs.push_back(element.dofs[i]);
+            free_dofs.push_back(e.dofs[i]);
           }
       if (is_free.empty())
         return;
-      const Eigen::MatrixXd matrix =
-          stiffness_factor * element.stiffness + mass_factor * element.mass;
-      e.matrix = matrix(is_free, is_free);
-      e.rhs    = Eigen::VectorXd::Zero(is_free.size());
+      const Eigen::MatrixXd matrix = e.matrix(is_free, is_free);
+      e.matrix                     = matrix;
+      e.dofs                       = free_dofs;
+      e.rhs                        = Eigen::VectorXd::Zero(is_free.size());
       elements.push_back(std::move(e));
     });
     Multifrontal factors;
@@ -231,31 +320,38 @@ namespace Morsel::FE
   CellCornerFields
   ElasticBody::corner_fields(const Eigen::VectorXd &displacement) const
   {
-    const std::vector<Point<2>> corners = {
-        {0., 0.}, {1., 0.}, {0., 1.}, {1., 1.}};
-    CellCornerFields fields;
-    CellFunctions    functions(*space);
+    const Eigen::VectorXd u = expansion * displacement;
+    CellCornerFields      fields;
+    CellFunctions         functions(*space);
     for (const auto &cell : space->get_dof_handler().active_cell_iterators())
       {
         const QuadMap       map = make_map(cell);
         std::vector<double> local;
         for (const auto dof : dofs_of(cell))
-          local.push_back(displacement[dof]);
-        std::vector<Point<2>> points;
-        for (unsigned int v = 0; v < 4; ++v)
-          points.push_back(cell->vertex(v));
-        const auto samples = functions.sample(
-            cell, map, functions.coefficients(cell, local), points, corners);
-        for (unsigned int v = 0; v < 4; ++v)
+          local.push_back(u[dof]);
+        const CellEnrichment &e =
+            space->get_enrichment(cell->active_cell_index());
+        const auto corners = picture_corners(map, e.cut, space->get_cracks());
+        // Off the crack and the tip, where the fields have no value.
+        std::vector<Point<2>> places, reference;
+        for (unsigned int k = 0; k < corners.size(); ++k)
           {
-            const auto   s  = material.stress(samples[v].gradient);
+            places.push_back(e.enriched() ? moved_inwards(corners, k)
+                                          : corners[k]);
+            reference.push_back(map.to_reference(places.back()));
+          }
+        const auto samples = functions.sample(
+            cell, map, functions.coefficients(cell, local), places, reference);
+        for (unsigned int k = 0; k < corners.size(); ++k)
+          {
+            const auto   s  = material.stress(samples[k].gradient);
             const double zz = material.out_of_plane_stress(s);
-            fields.points.push_back(points[v]);
+            fields.points.push_back(corners[k]);
             for (unsigned int d = 0; d < 2; ++d)
-              fields.displacement.push_back(samples[v].value[d]);
+              fields.displacement.push_back(samples[k].value[d]);
             for (unsigned int d = 0; d < 2; ++d)
-              for (unsigned int e = 0; e < 2; ++e)
-                fields.stress.push_back(s[d][e]);
+              for (unsigned int f = 0; f < 2; ++f)
+                fields.stress.push_back(s[d][f]);
             fields.von_mises.push_back(
                 Materials::von_mises({s[0][0], s[1][1], s[0][1], zz}));
           }

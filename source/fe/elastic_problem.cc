@@ -16,11 +16,6 @@ namespace Morsel::FE
 
   namespace
   {
-    /// Relative stiffness given to the enriched functions: it bounds the
-    /// condition number and stays far below the discretisation error.
-    constexpr double regularisation = 1e-12;
-
-
     /// Vertices of a face, counter-clockwise with respect to the cell.
     std::array<unsigned int, 2>
     face_vertices(const unsigned int face)
@@ -177,7 +172,7 @@ namespace Morsel::FE
                 }
             }
           // Traces of enrichments may be dependent but for round-off.
-          e.matrix.diagonal() *= 1. + regularisation;
+          e.matrix.diagonal() *= 1. + enrichment_regularisation;
           touched.insert(e.dofs.begin(), e.dofs.end());
           elements.push_back(std::move(e));
         }
@@ -308,7 +303,7 @@ namespace Morsel::FE
           const CellQuadrature q = functions.quadrature(cell, map, 0);
           functions.evaluate(cell, map, q.points, q.reference);
           return element_stiffness(
-              functions, n, q.weights, material, regularisation);
+              functions, n, q.weights, material, enrichment_regularisation);
         };
         const CellEnrichment &e =
             space.get_enrichment(cell->active_cell_index());

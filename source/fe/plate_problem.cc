@@ -1,6 +1,7 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/fe/cut_quadrature.h>
+#include <morsel/fe/enrichment_rule.h>
 #include <morsel/fe/plate_mesh.h>
 #include <morsel/fe/plate_problem.h>
 #include <morsel/fracture/energy_release.h>
@@ -20,38 +21,6 @@ namespace Morsel::FE
     holds_both(const std::string &support)
     {
       return support == "clamp" || support == "displacement";
-    }
-
-
-    /// Refuses two tips in one cell. Neither crack's jump function then lives
-    /// there, and the tip functions cannot stand in for both: K was 5 to 7
-    /// percent wrong in silence. Overlapping zones of tip functions cost
-    /// nothing measurable.
-    void
-    check_tips_apart(const Triangulation<2>                &triangulation,
-                     const std::vector<Fracture::CrackTip> &tips)
-    {
-      unsigned int crowded = 0;
-      for (const auto &cell : triangulation.active_cell_iterators())
-        {
-          if (!cell->is_locally_owned())
-            continue;
-          unsigned int n_tips = 0;
-          for (unsigned int t = 0; t < tips.size(); ++t)
-            if (tips[t].position.distance(cell->center()) < cell->diameter() &&
-                distance_to_polygon(tips[t].position,
-                                    make_map(cell).polygon()) <=
-                    1e-6 * cell->diameter() &&
-                ++n_tips > 1)
-              crowded = std::max(crowded, t);
-        }
-      crowded = Utilities::MPI::max(crowded, triangulation.get_communicator());
-      if (crowded > 0)
-        throw InputError(
-            "The crack tip at (" + number_text(tips[crowded].position[0]) +
-            ", " + number_text(tips[crowded].position[1]) +
-            ") m shares a cell of the mesh with another one: raise "
-            "'XFEM/Tip refinements', or the cells along x and y.");
     }
   } // namespace
 
@@ -175,7 +144,10 @@ namespace Morsel::FE
   void
   PlateProblem::set_up()
   {
-    check_tips_apart(triangulation, space->get_tips());
+    check_tips_apart(triangulation,
+                     space->get_tips(),
+                     "raise 'XFEM/Tip refinements', or the cells along x and "
+                     "y");
     space->distribute(cell_degrees());
     problem = std::make_unique<ElasticProblem>(*space, material);
     apply_boundary_conditions();

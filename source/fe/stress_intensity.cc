@@ -1,5 +1,6 @@
 #include <morsel/fe/cell_functions.h>
 #include <morsel/fe/point_values.h>
+#include <morsel/fe/ring_quadrature.h>
 #include <morsel/fe/stress_intensity.h>
 
 #include <algorithm>
@@ -13,59 +14,6 @@ namespace Morsel::FE
 
   namespace
   {
-    /// Quadrature over the part of a cell that the rings reach. The weight of
-    /// a ring varies over its width and has kinks of its fourth derivative at
-    /// both radii: larger cells are divided. With parts of 0.4 of the width
-    /// and six points beyond the degree the rule costs K less than 1e-8 (with
-    /// 0.6 and four it cost 3e-6).
-    CellQuadrature
-    ring_quadrature(const XFEMSpace                    &space,
-                    const DoFHandler<2>::cell_iterator &cell,
-                    const QuadMap                      &map,
-                    const Fracture::CrackTip           &tip,
-                    const double                        inside,
-                    const double                        reach,
-                    const double                        resolution)
-    {
-      const CellEnrichment &e = space.get_enrichment(cell->active_cell_index());
-      const unsigned int    n =
-          space.get_numbering(cell->active_fe_index()).degree + 6;
-      const unsigned int k =
-          std::ceil(map.diameter() / std::sqrt(2.) / resolution);
-      CellQuadrature all;
-      for (unsigned int j = 0; j < k; ++j)
-        for (unsigned int i = 0; i < k; ++i)
-          {
-            std::array<Point<2>, 4> corners;
-            double                  nearest = 1e300, farthest = 0.;
-            for (unsigned int v = 0; v < 4; ++v)
-              {
-                corners[v] = map.to_physical(
-                    Point<2>((i + v % 2) / double(k), (j + v / 2) / double(k)));
-                farthest =
-                    std::max(farthest, corners[v].distance(tip.position));
-              }
-            const QuadMap part(corners);
-            nearest = distance_to_polygon(tip.position, part.polygon());
-            if (nearest >= reach || farthest <= inside)
-              continue;
-            const auto pieces =
-                e.cut ? cut_into_pieces(part.polygon(), space.get_cracks())
-                      : std::vector<Polygon>(1, part.polygon());
-            const CellQuadrature q = pieces.size() == 1
-                                         ? gauss_quadrature(part, n)
-                                         : cut_quadrature(part, pieces, {}, n);
-            all.points.insert(
-                all.points.end(), q.points.begin(), q.points.end());
-            all.weights.insert(
-                all.weights.end(), q.weights.begin(), q.weights.end());
-          }
-      for (const Point<2> &p : all.points)
-        all.reference.push_back(map.to_reference(p));
-      return all;
-    }
-
-
     /// What resolves the field about a point: edge length of the smallest cell
     /// there [m], and the highest degree.
     struct Resolution
@@ -112,55 +60,38 @@ namespace Morsel::FE
     add_cells(const ElasticProblem                       &problem,
               const ElasticProblem::Solution             &solution,
               const Fracture::CrackTip                   &tip,
+              const std::vector<Fracture::Ring>          &rings,
               std::vector<Fracture::InteractionIntegral> &integrals)
     {
-      const XFEMSpace &space = problem.get_space();
-      double           reach = 0., inside = 1e300, resolution = 1e300;
-      for (const auto &integral : integrals)
-        {
-          const Fracture::Ring &ring = integral.get_ring();
-          reach                      = std::max(reach, ring.outer_radius);
-          inside                     = std::min(inside, ring.inner_radius);
-          resolution                 = std::min(resolution,
-                                0.4 * (ring.outer_radius - ring.inner_radius));
-        }
-
+      const XFEMSpace                     &space = problem.get_space();
       CellFunctions                        functions(space);
       std::vector<types::global_dof_index> dofs;
       std::vector<double>                  local;
-      for (const auto &cell : space.get_dof_handler().active_cell_iterators())
-        {
-          if (!cell->is_locally_owned())
-            continue;
-          const double r = cell->center().distance(tip.position);
-          const double d = 0.5 * cell->diameter();
-          if (r - d > reach || r + d < inside)
-            continue;
-          const QuadMap        map = make_map(cell);
-          const CellQuadrature q =
-              ring_quadrature(space, cell, map, tip, inside, reach, resolution);
-          if (q.points.empty())
-            continue;
-          dofs.resize(cell->get_fe().n_dofs_per_cell());
-          local.resize(dofs.size());
-          cell->get_dof_indices(dofs);
-          for (unsigned int i = 0; i < dofs.size(); ++i)
-            local[i] = solution(dofs[i]);
-          const auto samples =
-              functions.sample(cell,
-                               map,
-                               functions.coefficients(cell, local),
-                               q.points,
-                               q.reference);
-          for (unsigned int p = 0; p < q.points.size(); ++p)
-            {
-              const auto sigma =
-                  problem.get_material().stress(samples[p].gradient);
-              for (auto &integral : integrals)
-                integral.add(
-                    q.points[p], samples[p].gradient, sigma, q.weights[p]);
-            }
-        }
+      for_each_ring_cell(
+          space,
+          tip,
+          rings,
+          [&](const auto &cell, const QuadMap &map, const CellQuadrature &q) {
+            dofs.resize(cell->get_fe().n_dofs_per_cell());
+            local.resize(dofs.size());
+            cell->get_dof_indices(dofs);
+            for (unsigned int i = 0; i < dofs.size(); ++i)
+              local[i] = solution(dofs[i]);
+            const auto samples =
+                functions.sample(cell,
+                                 map,
+                                 functions.coefficients(cell, local),
+                                 q.points,
+                                 q.reference);
+            for (unsigned int p = 0; p < q.points.size(); ++p)
+              {
+                const auto sigma =
+                    problem.get_material().stress(samples[p].gradient);
+                for (auto &integral : integrals)
+                  integral.add(
+                      q.points[p], samples[p].gradient, sigma, q.weights[p]);
+              }
+          });
     }
 
 
@@ -321,7 +252,7 @@ namespace Morsel::FE
     std::vector<Fracture::InteractionIntegral> integrals;
     for (const Fracture::Ring &ring : result.rings)
       integrals.emplace_back(tip, problem.get_material(), ring);
-    add_cells(problem, solution, tip, integrals);
+    add_cells(problem, solution, tip, result.rings, integrals);
     if (both_components)
       add_crack_faces(problem, solution, tip, integrals);
     const MPI_Comm communicator = solution.get_mpi_communicator();

@@ -161,14 +161,15 @@ namespace Morsel::Fracture
   check_ring_radius(const CrackTip           &tip,
                     const std::vector<Crack> &cracks,
                     const double              distance_to_boundary,
-                    const double              radius)
+                    const double              radius,
+                    const std::string        &entry)
   {
     const std::string obstacle =
         ring_obstacle(tip, cracks, distance_to_boundary, {0., radius});
     if (obstacle.empty())
       return;
     std::ostringstream message;
-    message << "'Stress intensity/Ring radius' is " << radius
+    message << "'" << entry << "' is " << radius
             << " m, which does not fit at the crack tip (" << tip.position[0]
             << ", " << tip.position[1] << ") m: " << obstacle
             << ". Choose at most that, or 0 for the largest that fits.";

@@ -36,7 +36,8 @@ namespace Morsel::Jaw
                       Patterns::Double(0.));
     prm.add_parameter("Fastest shortening",
                       fastest,
-                      "Speed of shortening without load [L_0/s].",
+                      "Speed of shortening without load at full activation "
+                      "[L_0/s]; a quarter of it at none.",
                       Patterns::Double(1e-3));
   }
 

@@ -66,14 +66,15 @@ namespace Morsel::Jaw
     const double path      = line.norm();
     const double lever     = cross(insertion - condyle, line / path);
     const double length = 1. + (path - optimal_path) / parameters.fibre_length;
-    // The path gets shorter by the lever arm times the angle.
-    const double shortening =
-        lever * spin / (parameters.fibre_length * parameters.fastest);
-    const double active = std::clamp(activation(condyle, time)[0], 0., 1.) *
-                          MuscleFactors::force_length(length) *
-                          MuscleFactors::force_velocity(shortening);
+    const double active = std::clamp(activation(condyle, time)[0], 0., 1.);
+    // The path gets shorter by the lever arm times the angle. A muscle that is
+    // half awake is slow, too.
+    const double fastest =
+        (0.25 + 0.75 * active) * parameters.fastest * parameters.fibre_length;
+    const double factor = active * MuscleFactors::force_length(length) *
+                          MuscleFactors::force_velocity(lever * spin / fastest);
     const double force =
-        parameters.maximal_force * (active + MuscleFactors::passive(length));
+        parameters.maximal_force * (factor + MuscleFactors::passive(length));
     return {force, force * lever, length};
   }
 } // namespace Morsel::Jaw

@@ -42,6 +42,11 @@ namespace Morsel::Jaw
                       "Polynomial degree of the displacement [1]. With 1 a "
                       "uniform pressure crosses the contact exactly.",
                       Patterns::Integer(1, 4));
+    prm.add_parameter("Tip refinements",
+                      tip_refinements,
+                      "How often the cells about each crack tip are halved "
+                      "[1].",
+                      Patterns::Integer(0, 12));
     prm.add_parameter("Initial velocity",
                       initial_velocity,
                       "Velocity 'v_x, v_y' at time 0 of a body that is not "
@@ -64,6 +69,12 @@ namespace Morsel::Jaw
                       "Poisson's ratio of the body [1]. Enamel and dentine: "
                       "0.3.",
                       Patterns::Double(0., 0.4999));
+    prm.add_parameter("Fracture toughness",
+                      fracture_toughness,
+                      "K_Ic, at which a crack of the body would grow "
+                      "[Pa sqrt(m)]; needed where it has cracks. Enamel: about "
+                      "1e6, dentine: 2e6.",
+                      Patterns::Double(0.));
     prm.leave_subsection();
   }
 } // namespace Morsel::Jaw

@@ -3,6 +3,8 @@
 #include <morsel/core/suggestions.h>
 #include <morsel/scene/findings.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 
 namespace Morsel::Scene
@@ -150,7 +152,7 @@ namespace Morsel::Scene
     void
     check_plate_pairs(const Scene &scene, Findings &findings)
     {
-      for (const PlatePair &pair : scene.plate_pairs)
+      for (const PairOfAKind &pair : scene.plate_pairs)
         for (const PlateBody &plate : scene.plate_bodies)
           if ((plate.name == pair.first || plate.name == pair.second) &&
               plate.deformation.elastic &&
@@ -161,6 +163,23 @@ namespace Morsel::Scene
                                  "' is quasi-static and meets particles "
                                  "alone; leave the pair out, or take "
                                  "'Deformation/Response' = 'dynamic'.");
+    }
+    /// Particle bodies that may touch are on one rank together.
+    void
+    check_food_pairs(const Scene &scene, Findings &findings)
+    {
+      if (!scene.food_pairs.empty() && !scene.plate_bodies.empty() &&
+          dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+        findings.mistake("Contact/Pairs",
+                         "contact between particle bodies works on one rank "
+                         "only.");
+      for (const PairOfAKind &pair : scene.food_pairs)
+        for (const ParticleBody &body : scene.particle_bodies)
+          if ((body.name == pair.first || body.name == pair.second) &&
+              body.solid.is_updated())
+            findings.mistake(
+                "Body " + body.name + "/Solid/Formulation",
+                "bodies that touch others are 'total Lagrangian'.");
     }
   } // namespace
 
@@ -176,5 +195,6 @@ namespace Morsel::Scene
       }
     check_jaw(scene, findings);
     check_plate_pairs(scene, findings);
+    check_food_pairs(scene, findings);
   }
 } // namespace Morsel::Scene

@@ -101,6 +101,7 @@ namespace Morsel::Scene
         dealii::Utilities::split_string_list(given.held_sides, ',');
     check_held_sides(body, held, findings);
     check_support(body, held, scene, findings);
+    check_tooth_cracks(body, findings);
 
     const std::string path = "Body " + body.name + "/Deformation/Cell size";
     const double      size = given.cell_size;

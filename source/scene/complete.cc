@@ -130,6 +130,10 @@ namespace Morsel::Scene
       for (const ParticleBody &food : scene.particle_bodies)
         for (const PlateBody &plate : scene.plate_bodies)
           scene.contact_pairs.push_back({food.name, plate.name});
+      for (std::size_t i = 0; i < scene.particle_bodies.size(); ++i)
+        for (std::size_t j = i + 1; j < scene.particle_bodies.size(); ++j)
+          scene.food_pairs.push_back(
+              {scene.particle_bodies[i].name, scene.particle_bodies[j].name});
       for (std::size_t i = 0; i < scene.plate_bodies.size(); ++i)
         for (std::size_t j = i + 1; j < scene.plate_bodies.size(); ++j)
           {
@@ -144,7 +148,8 @@ namespace Morsel::Scene
     }
 
 
-    /// Reads "food:plate, tooth:tooth, ..."; the order within a pair is free.
+    /// Reads "food:plate, tooth:tooth, food:food, ..."; the order within a pair
+    /// is free.
     void
     read_pairs(const std::string                 &text,
                Scene                             &scene,
@@ -182,11 +187,12 @@ namespace Morsel::Scene
                                did_you_mean(name, all_names));
           const unsigned int n_particle =
               particle_names.count(names[0]) + particle_names.count(names[1]);
-          if (n_particle == 2 || names[0] == names[1])
+          if (names[0] == names[1])
             throw InputError(place + "'" + item +
-                             "' must join a particle body and a rigid or "
-                             "elastic one, or two different ones of these.");
-          if (n_particle == 0)
+                             "' must join two different bodies.");
+          if (n_particle == 2)
+            scene.food_pairs.push_back({names[0], names[1]});
+          else if (n_particle == 0)
             scene.plate_pairs.push_back({names[0], names[1]});
           else if (particle_names.count(names[0]) > 0)
             scene.contact_pairs.push_back({names[0], names[1]});

@@ -106,10 +106,11 @@ namespace Morsel::Scene
       prm.enter_subsection("Contact");
       prm.add_parameter("Pairs",
                         pairs,
-                        "Bodies that may touch, as 'food:plate, ...' or "
-                        "'tooth:tooth'; if empty, every particle body with "
-                        "every rigid or elastic one, and those of these that "
-                        "a force or the jaw moves with all others.");
+                        "Bodies that may touch, as 'food:plate, "
+                        "food:food, tooth:tooth'; if empty, every particle "
+                        "body with every other body, and rigid or elastic "
+                        "ones that a force or the jaw moves with all others. "
+                        "Of account where there are plates.");
       scene.contact.declare(prm);
       prm.leave_subsection();
 

@@ -192,7 +192,14 @@ namespace Morsel::Scene
     prm.leave_subsection();
 
     if (deformation.elastic)
-      deformation.declare(prm);
+      {
+        deformation.declare(prm);
+        prm.enter_subsection("Cracks");
+        cracks.declare(prm,
+                       "Its mesh knows nothing of them; their stress "
+                       "intensities are followed over time.");
+        prm.leave_subsection();
+      }
   }
 
 

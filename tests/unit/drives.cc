@@ -324,6 +324,41 @@ BOOST_AUTO_TEST_CASE(plates_stop_each_other)
 }
 
 
+BOOST_AUTO_TEST_CASE(bodies_of_particles_push_each_other)
+{
+  // Two blocks of different spacing side by side, one flies into the other:
+  // nothing is pushed at first, momentum is kept to round-off, energy but for
+  // what the step costs.
+  Scene::Scene scene = SPH::scene_of_block(20, 10, 5e-4, 0.3);
+  auto         other = scene.particle_bodies[0];
+  scene.particle_bodies[0].initial_velocity = {0.05, 0.};
+  other.name                                = "other";
+  other.shape.lower_corner                  = {0.01, 0.};
+  other.shape.upper_corner                  = {0.02, 0.005};
+  other.particles_across                    = 26;
+  other.spacing                             = 0.01 / 26;
+  scene.particle_bodies.push_back(other);
+  scene.food_pairs = {{"block", "other"}};
+  RunLog log("", true, false);
+  Bite   bite(scene, MPI_COMM_SELF, log);
+  bite.evaluate();
+  BOOST_TEST(bite.energies().contact == 0.);
+  const auto            before = bite.momentum();
+  Measure::EnergyLedger ledger(bite.energies());
+  double                pressed = 0.;
+  while (bite.time() < 4e-4)
+    {
+      bite.advance();
+      bite.evaluate();
+      ledger.record(bite.energies(), 1.);
+      pressed = std::max(pressed, bite.energies().contact);
+    }
+  BOOST_TEST(pressed > 0.);
+  BOOST_TEST((bite.momentum() - before).norm() < 1e-13 * before.norm());
+  BOOST_TEST(ledger.largest_error() < 2e-3);
+}
+
+
 BOOST_AUTO_TEST_CASE(block_on_a_slope_starts_at_the_angle_of_friction)
 {
   for (const double share : {0.99, 1.01, 1.5})

@@ -92,6 +92,12 @@ namespace Morsel::FE
   };
 
 
+  /// Relative stiffness given to the enriched functions of what is solved
+  /// for: it bounds the condition number and stays far below the
+  /// discretisation error.
+  inline constexpr double enrichment_regularisation = 1e-12;
+
+
   /// Element stiffness in the cell's dofs from the functions' gradients.
   /// @param regularisation relative stiffness added to the enriched
   ///   functions' diagonal; bounds the condition number where a crack leaves

@@ -1,6 +1,7 @@
 #ifndef morsel_fe_elastic_body_h
 #define morsel_fe_elastic_body_h
 
+#include <morsel/fe/crack_functionals.h>
 #include <morsel/fe/multifrontal.h>
 #include <morsel/fe/xfem_space.h>
 #include <morsel/fracture/elastic_plane.h>
@@ -31,7 +32,17 @@ namespace Morsel::FE
   };
 
 
-  /// The stress of a body at the corners of its cells, for output.
+  /// The cracks of a body, which its mesh knows nothing of.
+  struct ElasticBodyCracks
+  {
+    /// With their mouths extended beyond the body.
+    std::vector<Fracture::Crack> cracks;
+    double                       ring_radius = 0.; ///< see choose_rings() [m]
+  };
+
+
+  /// The stress of a body at the corners of its cells, for output. Cells that
+  /// a crack cuts are given in pieces, so that a deformed crack is open.
   struct CellCornerFields
   {
     std::vector<dealii::Point<2>> points;       ///< in deal.II's order [m]
@@ -43,13 +54,19 @@ namespace Morsel::FE
 
   /// A linear elastic body whose boundary is loaded: stiffness, consistent mass
   /// and the trace of its displacement on a polyline along the boundary. It
-  /// stands on the XFEM space, here without cracks.
+  /// stands on the XFEM space and may have cracks. Its unknowns are those of
+  /// the space with all constraints (hanging nodes, inactive and duplicate
+  /// functions) condensed: matrices have nothing in the rows of constrained
+  /// dofs, whose values in vectors are zero and mean nothing.
   class ElasticBody
   {
   public:
-    /// @param mesh of quadrilaterals, with boundary ids
+    /// @param mesh of quadrilaterals, with boundary ids; may have hanging nodes
+    /// @throws InputError if two crack tips share a cell, tip functions would
+    ///   reach a kink, or rings do not fit
     ElasticBody(std::unique_ptr<dealii::Triangulation<2>> mesh,
-                const ElasticBodyProperties              &properties);
+                const ElasticBodyProperties              &properties,
+                const ElasticBodyCracks                  &cracks = {});
 
     unsigned int
     n_dofs() const
@@ -84,6 +101,13 @@ namespace Morsel::FE
     trace() const
     {
       return surface_trace;
+    }
+
+    /// K and opening of its cracks; null if it has none.
+    const CrackFunctionals *
+    cracks() const
+    {
+      return crack_functionals.get();
     }
 
     /// Over all dofs, the held ones included [N/m], [kg].
@@ -137,17 +161,22 @@ namespace Morsel::FE
     void
     for_each_element(const UseOfElement &use) const;
     void
+    make_expansion();
+    void
     make_matrices();
     void
     find_held_dofs();
     void
     make_surface();
 
-    ElasticBodyProperties                              properties;
-    Fracture::ElasticPlane                             material;
-    std::unique_ptr<dealii::Triangulation<2>>          mesh;
-    std::unique_ptr<XFEMSpace>                         space;
-    std::vector<dealii::Point<2>>                      nodes;
+    ElasticBodyProperties                     properties;
+    Fracture::ElasticPlane                    material;
+    std::unique_ptr<dealii::Triangulation<2>> mesh;
+    std::unique_ptr<XFEMSpace>                space;
+    dealii::AffineConstraints<double>         constraints;
+    Eigen::SparseMatrix<double>       expansion; ///< all dofs from free ones
+    std::unique_ptr<CrackFunctionals> crack_functionals;
+    std::vector<dealii::Point<2>>     nodes;
     std::vector<std::pair<unsigned int, unsigned int>> facets;
     Eigen::SparseMatrix<double>                        K, M, surface_trace;
     Eigen::VectorXd                                    held_dofs;

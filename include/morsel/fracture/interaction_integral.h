@@ -157,12 +157,14 @@ namespace Morsel::Fracture
 
   /// Refuses an outer radius that the user wishes and that does not fit;
   /// 0 stands for the largest one that fits.
+  /// @param entry the parameter that wishes it
   /// @throws InputError naming the obstacle and the largest radius
   void
   check_ring_radius(const CrackTip           &tip,
                     const std::vector<Crack> &cracks,
                     const double              distance_to_boundary,
-                    const double              radius);
+                    const double              radius,
+                    const std::string &entry = "Stress intensity/Ring radius");
 
 
   /// The largest outer radius that ring_obstacle() accepts at a tip [m].

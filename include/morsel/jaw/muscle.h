@@ -11,7 +11,8 @@ namespace Morsel::Jaw
   /// young adults): active force over length exp(-(l - 1)^2/0.45); passive
   /// force of stretched fibres; Hill's force over velocity (1938), which on
   /// stretching rises to 1.4 with twice the slope. Lengths over the optimal
-  /// one, velocities over the fastest.
+  /// one, velocities over the fastest, which is 0.25 + 0.75 a of that at full
+  /// activation a.
   struct MuscleFactors
   {
     static double

@@ -14,12 +14,14 @@ namespace Morsel::Jaw
     bool        elastic  = false;  ///< of the kind 'elastic', not 'rigid'
     std::string response = "auto"; ///< or rigid, quasi-static, dynamic
 
-    double density        = 0.; ///< [kg/m^3]
-    double youngs_modulus = 0.; ///< [Pa]
-    double poissons_ratio = 0.; ///< [1]
+    double density            = 0.; ///< [kg/m^3]
+    double youngs_modulus     = 0.; ///< [Pa]
+    double poissons_ratio     = 0.; ///< [1]
+    double fracture_toughness = 0.; ///< K_Ic, of a cracked body [Pa sqrt(m)]
 
-    double           cell_size = 0.;   ///< [m], 0: by rule
-    unsigned int     degree    = 1;    ///< of the displacement
+    double           cell_size       = 0.; ///< [m], 0: by rule
+    unsigned int     degree          = 1;  ///< of the displacement
+    unsigned int     tip_refinements = 0;
     std::string      held_sides;       ///< that follow the motion
     double           tolerance = 0.01; ///< of 'auto' [1]
     dealii::Point<2> initial_velocity; ///< of a body not held [m/s]

@@ -79,6 +79,12 @@ namespace Morsel::Scene
   check_drives(const Scene &scene, Findings &findings);
 
 
+  /// Checks what the cracks of a plate need: a body that deforms, and a
+  /// toughness.
+  void
+  check_tooth_cracks(const PlateBody &body, Findings &findings);
+
+
   /// Checks that a body has particles enough, not too many, and rows that fit.
   void
   check_particles(const ParticleBody &body,

@@ -98,6 +98,7 @@ namespace Morsel::Scene
     double                node_spacing = 0.; ///< of its surface [m], 0 = dp/2
     Jaw::MotionParameters motion;
     Jaw::DeformationParameters deformation;
+    Fracture::CrackPaths       cracks; ///< of an elastic one
 
     void
     declare(dealii::ParameterHandler &prm);
@@ -112,8 +113,8 @@ namespace Morsel::Scene
   };
 
 
-  /// Two plates that may meet.
-  struct PlatePair
+  /// Two bodies of the same kind that may meet: plates, or particle bodies.
+  struct PairOfAKind
   {
     std::string first, second;
   };
@@ -186,7 +187,7 @@ namespace Morsel::Scene
     std::vector<ParticleBody>          particle_bodies;
     std::vector<PlateBody>             plate_bodies;
     std::vector<ContactPair>           contact_pairs;
-    std::vector<PlatePair>             plate_pairs;
+    std::vector<PairOfAKind>           plate_pairs, food_pairs;
     Jaw::HingeParameters               jaw;
     std::vector<Jaw::MuscleParameters> muscles;
     std::vector<Condition>             conditions;
