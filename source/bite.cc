@@ -1,4 +1,5 @@
 #include "bite.h"
+#include "drives.h"
 #include "elastic_plates.h"
 
 #include <morsel/core/errors.h>
@@ -38,35 +39,14 @@ namespace Morsel
     for (const auto &body : scene.particle_bodies)
       solids.push_back(std::make_unique<SPH::Solid>(body, scene, communicator));
     std::vector<std::unique_ptr<FE::ElasticBody>> elastic;
-    for (const auto &body : scene.plate_bodies)
-      {
-        elastic.emplace_back();
-        if (body.deformation.elastic)
-          {
-            elastic.back() = make_elastic_body(scene, body);
-            plates.emplace_back(body, *elastic.back());
-          }
-        else
-          plates.emplace_back(body,
-                              body.node_spacing > 0.
-                                  ? body.node_spacing
-                                  : 0.5 *
-                                        scene.particle_bodies.front().spacing);
-      }
-    plate_frequencies.assign(plates.size(), 0.);
-    responses.assign(plates.size(), "rigid");
-    for (const auto &pair : scene.contact_pairs)
-      {
-        const unsigned int s = index_of(scene.particle_bodies, pair.food);
-        const unsigned int p = index_of(scene.plate_bodies, pair.plate);
-        pairs.push_back({s,
-                         p,
-                         Contact::make_plate_contact(
-                             scene.contact,
-                             solids[s]->contact_side(),
-                             solids[s]->get_edges(),
-                             scene.plate_bodies[p].deformation.elastic)});
-      }
+    make_plates(elastic);
+    make_pairs();
+    make_meetings();
+    make_neighbours();
+    limit_step_by_drives();
+    if (!scene.conditions.empty())
+      for (unsigned int s = 0; s < solids.size(); ++s)
+        conditions.emplace_back(scene, scene.particle_bodies[s], *solids[s]);
     dt = stable_time_step();
     if (scene.time.time_step > 0.)
       dt = scene.time.time_step;
@@ -88,9 +68,59 @@ namespace Morsel
                                  pair.contact->stiffness() +
                                      plate_frequencies[pair.plate] *
                                          solids[s]->contact_side().mass);
+        for (const auto &two : neighbours)
+          if (two.first == s || two.second == s)
+            stiffness += two.contact->stiffness();
         smallest = std::min(smallest, solids[s]->stable_time_step(stiffness));
       }
     return smallest;
+  }
+
+
+  void
+  Bite::make_plates(std::vector<std::unique_ptr<FE::ElasticBody>> &elastic)
+  {
+    const auto of_plates = make_drives(scene, communicator);
+    for (const auto &drive : of_plates)
+      if (std::find(drives.begin(), drives.end(), drive) == drives.end())
+        drives.push_back(drive);
+    for (unsigned int p = 0; p < scene.plate_bodies.size(); ++p)
+      {
+        const auto &body = scene.plate_bodies[p];
+        elastic.emplace_back();
+        if (body.deformation.elastic)
+          {
+            elastic.back() = make_elastic_body(scene, body);
+            plates.emplace_back(body, of_plates[p], *elastic.back());
+          }
+        else
+          plates.emplace_back(body,
+                              of_plates[p],
+                              body.node_spacing > 0.
+                                  ? body.node_spacing
+                                  : 0.5 *
+                                        scene.particle_bodies.front().spacing);
+      }
+    plate_frequencies.assign(plates.size(), 0.);
+    responses.assign(plates.size(), "rigid");
+  }
+
+
+  void
+  Bite::make_pairs()
+  {
+    for (const auto &pair : scene.contact_pairs)
+      {
+        const unsigned int s = index_of(scene.particle_bodies, pair.food);
+        const unsigned int p = index_of(scene.plate_bodies, pair.plate);
+        pairs.push_back({s,
+                         p,
+                         Contact::make_plate_contact(
+                             scene.contact,
+                             solids[s]->contact_side(),
+                             solids[s]->get_edges(),
+                             scene.plate_bodies[p].deformation.elastic)});
+      }
   }
 
 
@@ -99,12 +129,17 @@ namespace Morsel
   {
     double largest = 0.;
     for (const auto &plate : plates)
-      for (unsigned int d = 0; d < 2; ++d)
-        if (std::abs(plate.body.motion.velocity[d]) > largest)
-          {
-            largest = std::abs(plate.body.motion.velocity[d]);
-            axis    = d;
-          }
+      {
+        const auto &box       = plate.body.shape;
+        const auto  direction = plate.get_drive()->direction(
+            box.lower_corner + 0.5 * (box.upper_corner - box.lower_corner));
+        for (unsigned int d = 0; d < 2; ++d)
+          if (std::abs(direction[d]) > largest)
+            {
+              largest = std::abs(direction[d]);
+              axis    = d;
+            }
+      }
     // The food may fly into a body that is free.
     const auto &flight = scene.particle_bodies.front().initial_velocity;
     if (deforms && largest == 0.)
@@ -129,6 +164,22 @@ namespace Morsel
         solid->add_grain_forces(dt);
     }
     const auto timer = log.section("contact with plates");
+    touch();
+    const double kick = steps == 0 ? 0.5 * dt : dt;
+    for (auto &plate : plates)
+      plate.account(kick, dt);
+    for (const auto &drive : drives)
+      drive->account(kick);
+    if (steps % steps_between_face_marks == 0)
+      mark_loaded_faces();
+  }
+
+
+  void
+  Bite::touch()
+  {
+    for (auto &meeting : meetings)
+      meet(meeting);
     for (unsigned int p = 0; p < plates.size(); ++p)
       if (plates[p].settles())
         settle(p);
@@ -136,10 +187,14 @@ namespace Morsel
       solids[pair.solid]->apply_forces(plates[pair.plate].settles()
                                            ? pair.contact->last_forces()
                                            : press(pair));
-    for (auto &plate : plates)
-      plate.account(steps == 0 ? 0.5 * dt : dt, dt);
-    if (steps % steps_between_face_marks == 0)
-      mark_loaded_faces();
+    for (auto &two : neighbours)
+      {
+        two.contact->compute(dt);
+        solids[two.first]->apply_forces(two.contact->forces_on_first());
+        solids[two.second]->apply_forces(two.contact->forces_on_second());
+      }
+    for (unsigned int s = 0; s < conditions.size(); ++s)
+      conditions[s].apply(*solids[s], now, dt);
   }
 
 
@@ -177,26 +232,33 @@ namespace Morsel
     }
     for (auto &plate : plates)
       plate.advance(dt);
+    for (const auto &drive : drives)
+      drive->advance(dt);
     now = ++steps * dt;
+  }
+
+
+  double
+  Bite::towards_food(const unsigned int plate) const
+  {
+    // Plates below the food close upwards, plates above it downwards.
+    const auto middle = [this](const Scene::Rectangle &box) {
+      return 0.5 * (box.lower_corner[axis] + box.upper_corner[axis]);
+    };
+    const Scene::Rectangle &food = scene.particle_bodies.front().shape;
+    return middle(plates[plate].body.shape.box_before(axis, food)) <
+                   middle(food)
+               ? 1.
+               : -1.;
   }
 
 
   double
   Bite::closure() const
   {
-    // Plates below the food close upwards, plates above it downwards.
-    if (solids.empty())
-      return 0.;
-    const auto  &shape = scene.particle_bodies.front().shape;
-    const double middle =
-        0.5 * (shape.lower_corner[axis] + shape.upper_corner[axis]);
     double sum = 0.;
-    for (const auto &plate : plates)
-      {
-        const double centre = 0.5 * (plate.body.shape.lower_corner[axis] +
-                                     plate.body.shape.upper_corner[axis]);
-        sum += (centre < middle ? 1. : -1.) * plate.displacement()[axis];
-      }
+    for (unsigned int p = 0; p < plates.size() && !solids.empty(); ++p)
+      sum += towards_food(p) * plates[p].displacement()[axis];
     return sum;
   }
 
@@ -233,12 +295,14 @@ namespace Morsel
         e.dissipated_bonds += s.bond_heat;
         e.dissipated_granular_friction += s.friction_heat;
       }
-    double contact[5] = {0., 0., 0., 0., 0.};
-    for (const auto &pair : pairs)
-      {
-        contact[0] += pair.contact->stored_energy();
-        contact[1] += pair.contact->friction_heat();
-      }
+    double     contact[5] = {0., 0., 0., 0., 0.};
+    const auto add        = [&contact](const auto &of_two) {
+      contact[0] += of_two.contact->stored_energy();
+      contact[1] += of_two.contact->friction_heat();
+    };
+    std::for_each(pairs.begin(), pairs.end(), add);
+    std::for_each(meetings.begin(), meetings.end(), add);
+    std::for_each(neighbours.begin(), neighbours.end(), add);
     for (const auto &plate : plates)
       {
         contact[2] += plate.work();
@@ -256,6 +320,10 @@ namespace Morsel
     e.external_work       = contact[2];
     e.plate_strain        = contact[3];
     e.plate_kinetic       = contact[4];
+    for (const auto &of_body : conditions)
+      for (const auto &condition : of_body.list())
+        (condition->is_damping() ? e.dissipated_damping : e.external_work) +=
+            (condition->is_damping() ? -1. : 1.) * condition->work();
     return e;
   }
 
@@ -279,6 +347,9 @@ namespace Morsel
     for (const auto &plate : plates)
       list.push_back(
           dealii::Utilities::MPI::sum(plate.impulse(), communicator));
+    for (const auto &of_body : conditions)
+      for (const auto &condition : of_body.list())
+        list.push_back(SPH::as_tensor(condition->impulse()));
     return list;
   }
 

@@ -6,6 +6,8 @@
 #include <morsel/jaw/plate.h>
 #include <morsel/measure/energy_ledger.h>
 #include <morsel/scene/scene.h>
+#include <morsel/sph/applied_conditions.h>
+#include <morsel/sph/body_contact.h>
 #include <morsel/sph/solid.h>
 
 #include <memory>
@@ -50,6 +52,10 @@ namespace Morsel
     /// direction [m].
     double
     closure() const;
+
+    /// 1 for plates that close along the closing axis, -1 for those against.
+    double
+    towards_food(unsigned int plate) const;
 
     /// Force of the food on a plate along the closing direction, positive in
     /// compression, and across it [N]; the same on all ranks.
@@ -102,6 +108,16 @@ namespace Morsel
       return responses[plate];
     }
 
+    /// Drives that answer the food, each once, with the name of what they
+    /// move.
+    std::vector<std::pair<std::string, const Jaw::InertialDrive *>>
+    inertial_drives() const;
+
+    /// What plates that such a drive moves have given to the food so far [J];
+    /// the same on all ranks.
+    double
+    work_on_food(const Jaw::InertialDrive &drive) const;
+
     /// 0 = x, 1 = y: along which the plates close.
     unsigned int
     closing_axis() const
@@ -120,8 +136,47 @@ namespace Morsel
       std::unique_ptr<Contact::PlateContact> contact;
     };
 
+    /// The nodes of one plate on the surface of another.
+    struct Meeting
+    {
+      unsigned int                           first, second;
+      std::unique_ptr<Contact::PlateContact> contact;
+      std::vector<dealii::Point<2>>          places; ///< of nodes at first
+      std::vector<Motion>                    motion; ///< of nodes
+    };
+
+    /// Two particle bodies.
+    struct Neighbours
+    {
+      unsigned int                      first, second;
+      std::unique_ptr<SPH::BodyContact> contact;
+    };
+
     void
     find_closing_axis();
+
+    void
+    make_plates(std::vector<std::unique_ptr<FE::ElasticBody>> &elastic);
+
+    void
+    make_pairs();
+
+    void
+    make_meetings();
+
+    void
+    make_neighbours();
+
+    /// Limits the step by drives whose mass the food pushes.
+    void
+    limit_step_by_drives();
+
+    void
+    meet(Meeting &meeting);
+
+    /// Forces on the food by plates and conditions, and between plates.
+    void
+    touch();
 
     /// Chooses how elastic plates answer, and a step that suits it.
     void
@@ -152,7 +207,11 @@ namespace Morsel
     std::vector<std::unique_ptr<SPH::Solid>> solids;
     std::vector<Jaw::Plate>                  plates;
     std::vector<std::string>                 responses; ///< of the plates
+    std::vector<std::shared_ptr<Jaw::Drive>> drives;    ///< each once
     std::vector<Pair>                        pairs;
+    std::vector<Meeting>                     meetings;
+    std::vector<Neighbours>                  neighbours;
+    std::vector<SPH::AppliedConditions>      conditions; ///< none, or by solid
 
     /// Largest squares of frequencies of plates on contact springs [1/s^2].
     std::vector<double> plate_frequencies;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Morsel
 {
@@ -30,13 +31,38 @@ namespace Morsel
           {"right", FE::PlateSide::right},
           {"bottom", FE::PlateSide::bottom},
           {"top", FE::PlateSide::top}};
-      if (!plate.deformation.mesh_file.empty())
-        ids = Scene::sides_of_mesh(plate.deformation.mesh_file);
+      if (plate.shape.is_mesh())
+        ids = Scene::sides_of_mesh(plate.shape.mesh_file);
       std::set<dealii::types::boundary_id> held;
       for (const auto &name : dealii::Utilities::split_string_list(
                plate.deformation.held_sides, ','))
         held.insert(ids.at(name));
       return held;
+    }
+
+
+    /// The axis that the surface faces where it is nearest to the food.
+    unsigned int
+    axis_towards(const Scene::Rectangle &food, const FE::ElasticBody &body)
+    {
+      const auto          &nodes = body.surface_nodes();
+      double               least = std::numeric_limits<double>::infinity();
+      dealii::Tensor<1, 2> along;
+      for (const auto &[first, second] : body.surface_facets())
+        {
+          const dealii::Point<2> x =
+              nodes[first] + 0.5 * (nodes[second] - nodes[first]);
+          dealii::Tensor<1, 2> away;
+          for (unsigned int d = 0; d < 2; ++d)
+            away[d] = std::max(
+                {food.lower_corner[d] - x[d], x[d] - food.upper_corner[d], 0.});
+          if (away.norm() < least)
+            {
+              least = away.norm();
+              along = nodes[second] - nodes[first];
+            }
+        }
+      return std::abs(along[1]) > std::abs(along[0]) ? 0 : 1;
     }
 
 
@@ -79,7 +105,7 @@ namespace Morsel
     {
       double speed = 0.;
       for (const auto &plate : scene.plate_bodies)
-        speed += plate.motion.velocity.norm();
+        speed += plate.motion.typical_velocity().norm();
       if (speed == 0.)
         return 0.;
       const double strength = food.material.compressive_strength;
@@ -97,7 +123,9 @@ namespace Morsel
     const auto &given = plate.deformation;
     auto        mesh  = std::make_unique<dealii::Triangulation<2>>(
         dealii::Triangulation<2>::limit_level_difference_at_vertices);
-    if (given.mesh_file.empty())
+    if (plate.shape.is_mesh())
+      plate.shape.place_mesh(*mesh);
+    else
       {
         const double side =
             std::min(plate.shape.extent(0), plate.shape.extent(1));
@@ -117,8 +145,6 @@ namespace Morsel
                        n[0],
                        n[1]);
       }
-    else
-      Scene::read_mesh(given.mesh_file, *mesh);
 
     FE::ElasticBodyProperties properties;
     properties.youngs_modulus = given.youngs_modulus;
@@ -128,7 +154,7 @@ namespace Morsel
     properties.degree         = given.degree;
     properties.held           = held_ids(plate);
 
-    const FE::ElasticBodyCracks cracks = cracks_of(plate, *mesh);
+    const FE::ElasticBodyCracks cracks = cracks_of(plate);
     for (const auto &tip : Fracture::collect_tips(cracks.cracks))
       FE::refine_towards(
           *mesh, tip.position, given.tip_refinements, refined_layers);
@@ -158,14 +184,8 @@ namespace Morsel
     if (!body.is_held())
       return {"dynamic", "nothing holds it"};
 
-    // Towards the food along the axis on which they are farthest apart.
-    const auto          &food = scene.particle_bodies.front();
-    dealii::Tensor<1, 2> apart;
-    for (unsigned int d = 0; d < 2; ++d)
-      apart[d] =
-          std::max(plate.shape.lower_corner[d] - food.shape.upper_corner[d],
-                   food.shape.lower_corner[d] - plate.shape.upper_corner[d]);
-    const unsigned int axis = apart[0] > apart[1] ? 0 : 1;
+    const auto        &food = scene.particle_bodies.front();
+    const unsigned int axis = axis_towards(food.shape, body);
 
     const Eigen::VectorXd f = pressure_of_food(body, food, axis, scene.depth);
     const Eigen::VectorXd u =

@@ -46,9 +46,14 @@ namespace Morsel
       s.closure_after_failure = scene.stop.closure_after_failure;
       if (body.damage.enabled)
         {
-          // What is no block may split at a small share of the nominal stress
-          // that its material bears.
-          const bool block = body.shape.is_rectangle();
+          // What is no block, or no block between flat plates, may split at a
+          // small share of the nominal stress that its material bears.
+          const bool block = body.shape.is_rectangle() &&
+                             std::none_of(scene.plate_bodies.begin(),
+                                          scene.plate_bodies.end(),
+                                          [](const Scene::PlateBody &plate) {
+                                            return plate.shape.is_mesh();
+                                          });
           if (block)
             s.prescribed_strength = body.material.compressive_strength;
           s.minimum_peak =
@@ -70,7 +75,7 @@ namespace Morsel
 
 
     std::vector<std::string>
-    history_columns(const Scene::Scene &scene)
+    history_columns(const Scene::Scene &scene, const DriveRecord &drives)
     {
       std::vector<std::string> c = {"time [s]",
                                     "step [1]",
@@ -96,6 +101,8 @@ namespace Morsel
       if (any_elastic(scene))
         c.insert(c.end(),
                  {"plate_strain_energy [J]", "plate_kinetic_energy [J]"});
+      const auto of_drives = drives.columns();
+      c.insert(c.end(), of_drives.begin(), of_drives.end());
       c.insert(c.end(),
                {"energy_error [1]",
                 "momentum_error [1]",
@@ -111,7 +118,7 @@ namespace Morsel
     {
       double speed = 0.;
       for (const auto &plate : scene.plate_bodies)
-        speed += std::abs(plate.motion.velocity[axis]);
+        speed += std::abs(plate.motion.typical_velocity()[axis]);
       return speed;
     }
 
@@ -124,7 +131,8 @@ namespace Morsel
       const double speed  = closing_speed(scene, axis);
       double       behind = 0.;
       for (const auto &plate : scene.plate_bodies)
-        behind += std::abs(plate.motion.velocity[axis]) * plate.motion.delay();
+        behind += std::abs(plate.motion.typical_velocity()[axis]) *
+                  plate.motion.delay();
       return speed > 0.
                  ? std::min(
                        scene.time.end_time,
@@ -181,6 +189,7 @@ namespace Morsel
       , stroke(stroke_settings(scene, bite.closing_axis()))
       , energy(bite.energies())
       , momentum(bite.momentum())
+      , drives(bite)
       , history_due(scene.output.history_samples,
                     2. * interesting_time(scene, bite.closing_axis()) /
                         scene.output.history_samples)
@@ -190,7 +199,7 @@ namespace Morsel
       , tooth_cracks(bite, log)
       , loop_wall_begin(log.wall_time())
   {
-    auto       columns = history_columns(scene);
+    auto       columns = history_columns(scene, drives);
     const auto more    = tooth_cracks.columns();
     columns.insert(columns.end(), more.begin(), more.end());
     if (first_rank)
@@ -202,8 +211,12 @@ namespace Morsel
         particle_frames =
             std::make_unique<Output::Frames<0>>(folder, "food", communicator);
         if (!bite.get_plates().empty())
-          plate_frames = std::make_unique<Output::Frames<2>>(
-              folder, "plates", communicator);
+          {
+            plate_frames = std::make_unique<Output::Frames<2>>(
+                folder, "plates", communicator);
+            surface_frames = std::make_unique<Output::Frames<1>>(
+                folder, "surfaces", communicator);
+          }
         for (const auto &plate : bite.get_plates())
           if (plate.get_deformation() && !elastic_frames)
             elastic_frames = std::make_unique<Output::Frames<2>>(
@@ -231,6 +244,8 @@ namespace Morsel
         s.tangential_force.push_back(bite.tangential_force(p));
       }
     stroke.add(s);
+    follow_surfaces();
+    drives.follow(stroke.mean_force());
     if (breakage)
       breakage->follow(bite.time());
     if (const auto time = stroke.time_of_half_force();
@@ -268,6 +283,7 @@ namespace Morsel
       forces.push_back(bite.tangential_force(p));
     const auto crack_values = tooth_cracks.follow(forces);
 
+    const auto of_drives = drives.row();
     if (history)
       {
         std::vector<double> row = {bite.time(),
@@ -290,6 +306,7 @@ namespace Morsel
                     e.dissipated_granular_friction});
         if (any_elastic(scene))
           row.insert(row.end(), {e.plate_strain, e.plate_kinetic});
+        row.insert(row.end(), of_drives.begin(), of_drives.end());
         row.insert(row.end(),
                    {error,
                     momentum_error,
@@ -372,9 +389,12 @@ namespace Morsel
 
     summarise_stroke(reason);
     summarise_plates();
+    summarise_surfaces();
+    drives.summarise(summary);
     tooth_cracks.summarise(summary);
     summarise_break();
     summarise_fragments();
+    summarise_new_surface();
     summarise_fragment_sizes();
     summarise_ledgers();
     summarise_run();

@@ -2,8 +2,10 @@
 #define morsel_source_recorder_h
 
 #include "bite.h"
+#include "drive_record.h"
 #include "recorder_cracks.h"
 
+#include <morsel/contact/traction.h>
 #include <morsel/core/run_options.h>
 #include <morsel/measure/breakage.h>
 #include <morsel/measure/energy_ledger.h>
@@ -88,6 +90,24 @@ namespace Morsel
     void
     follow_deflections();
 
+    /// What the plates' surfaces feel.
+    void
+    write_surfaces();
+
+    /// Keeps the surfaces with their forces if the force is at its peak.
+    void
+    follow_surfaces();
+
+    void
+    write_surface_table(const std::vector<Contact::Traction> &tractions) const;
+
+    void
+    summarise_surfaces();
+
+    /// Area of new surface and what it took.
+    void
+    summarise_new_surface();
+
     void
     write_fragments();
 
@@ -138,6 +158,7 @@ namespace Morsel
     Measure::EnergyLedger              energy;
     Measure::MomentumLedger            momentum;
     std::unique_ptr<Measure::Breakage> breakage;
+    DriveRecord                        drives;
     Measure::Fragments                 fragments;
     Measure::Fragments                 intact;
 
@@ -149,10 +170,13 @@ namespace Morsel
     std::unique_ptr<Output::Frames<0>> particle_frames;
     std::unique_ptr<Output::Frames<2>> plate_frames;
     std::unique_ptr<Output::Frames<2>> elastic_frames;
+    std::unique_ptr<Output::Frames<1>> surface_frames;
     Output::Summary                    summary;
 
     std::vector<double> deflections; ///< largest so far, by plate [m]
-    ToothCrackRecorder  tooth_cracks;
+    /// As they were at the peak of the mean force, this rank's forces.
+    std::vector<Contact::Surface> surfaces_at_peak;
+    ToothCrackRecorder            tooth_cracks;
 
     double       last_sample_time = -1.;
     double       last_frame_time  = -1.;

@@ -59,11 +59,14 @@ namespace Morsel
       return;
     std::vector<Output::PlateState> plates;
     for (const auto &plate : bite.get_plates())
-      plates.push_back({plate.body.shape.lower_corner + plate.displacement(),
-                        plate.body.shape.upper_corner + plate.displacement(),
-                        plate.velocity(),
-                        plate.force()});
+      {
+        plates.push_back(
+            {plate.body.shape.cell_corners(), plate.velocity(), plate.force()});
+        for (auto &corner : plates.back().corners)
+          corner = plate.frame().place(corner);
+      }
     Output::write_plates(*plate_frames, bite.time(), plates);
+    write_surfaces();
     if (elastic_frames)
       write_elastic_plates();
   }

@@ -21,10 +21,10 @@ namespace Morsel
         const auto fields =
             deformation->get_body().corner_fields(deformation->displacement());
         for (unsigned int i = 0; i < fields.points.size(); ++i)
-          points.push_back(
-              fields.points[i] + plates[p].displacement() +
+          points.push_back(plates[p].frame().place(
+              fields.points[i] +
               dealii::Tensor<1, 2>({fields.displacement[2 * i],
-                                    fields.displacement[2 * i + 1]}));
+                                    fields.displacement[2 * i + 1]})));
         const auto append = [](std::vector<double>       &to,
                                const std::vector<double> &values) {
           to.insert(to.end(), values.begin(), values.end());

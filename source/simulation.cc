@@ -45,8 +45,9 @@ namespace Morsel
       Course course;
       for (const auto &plate : scene.plate_bodies)
         {
-          course.speed += plate.motion.velocity.norm();
-          course.behind += plate.motion.velocity.norm() * plate.motion.delay();
+          course.speed += plate.motion.typical_velocity().norm();
+          course.behind +=
+              plate.motion.typical_velocity().norm() * plate.motion.delay();
         }
       const auto  &body   = scene.particle_bodies.front();
       const double height = body.shape.extent(axis);

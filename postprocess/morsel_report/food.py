@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgba
 
-from . import style
+from . import style, teeth
 
 # More particles than this are drawn as an image: squares would take minutes.
 MOST_SQUARES = 60000
@@ -59,11 +59,11 @@ def draw_plates(axes, run, time, field=None, colours_of=None):
                     else (None, None))
     if nodes is None or cells is None or np.ndim(cells) != 2:
         return
-    plate = frame.read("plate")
-    for cell in cells.astype(int):
-        if plate is None or int(plate[cell[0]]) not in deforms:
-            axes.fill(*(1e3 * nodes[cell]).T, color=style.PLATE, lw=0,
-                      zorder=0)
+    cells, plate = cells.astype(int), frame.read("plate")
+    if plate is not None:
+        cells = cells[~np.isin(plate[cells[:, 0]].astype(int), list(deforms))]
+    if len(cells):
+        teeth.draw(axes, nodes, cells, style.PLATE)
 
 
 def draw_elastic_plates(axes, frame, field, colours_of):
@@ -76,9 +76,7 @@ def draw_elastic_plates(axes, frame, field, colours_of):
     values = frame.read(field) if colours_of is not None else None
     colours = (style.PLATE if values is None
                else colours_of(values[cells].mean(axis=1)))
-    axes.add_collection(PolyCollection(
-        1e3 * nodes[cells], facecolors=colours, edgecolors="none",
-        antialiaseds=False, rasterized=True, zorder=0))
+    teeth.draw(axes, nodes, cells, colours)
     return set(np.unique(plate).astype(int))
 
 
@@ -178,7 +176,7 @@ def moments(run):
     if not rows:
         rows = [(None, "Particles", None)]
     spacing = 1e3 * spacing_of(frames[0].points())
-    view = extent_of([f for _, f in chosen])
+    view = teeth.with_teeth(run, extent_of([f for _, f in chosen]))
     aspect = (view[1][1] - view[0][1]) / (view[1][0] - view[0][0])
     width = 9.6 / (len(chosen) + 0.35)
     figure, grid = plt.subplots(
@@ -201,6 +199,9 @@ def draw_row(figure, row, run, chosen, field, label, cmap, spacing, view):
         top = float(np.percentile(np.abs(values), 99)) or 1.0
         factor, unit = style.prefix_of(top, "Pa")
         scale = (-top * factor if field == "stress_yy" else 0.0, top * factor)
+    surfaces = [nearest(run.surfaces, f.time) for _, f in chosen]
+    surfaces = [f for f in surfaces if f is not None]
+    largest = teeth.largest_force(run, surfaces)
     norm = plt.Normalize(*scale)
     mapper = plt.cm.ScalarMappable(norm, cmap or "Greys")
     for axes, (_, frame) in zip(row, chosen):
@@ -212,6 +213,9 @@ def draw_row(figure, row, run, chosen, field, label, cmap, spacing, view):
                     None if field in (None, "damage")
                     else lambda v: mapper.to_rgba(factor * v))
         draw_particles(axes, points, spacing, colours)
+        if largest > 0:
+            teeth.draw_forces(axes, run, nearest(run.surfaces, frame.time),
+                              largest, view)
         set_view(axes, view)
     if field is not None:
         bar = figure.colorbar(
@@ -251,7 +255,7 @@ def fragments(run):
     spacing = 1e3 * spacing_of(frames[0].points())
     start, end = 1e3 * frames[0].points(), 1e3 * frames[-1].points()
     same = len(start) == len(end)
-    view = extent_of([frames[-1], frames[0]])
+    view = teeth.with_teeth(run, extent_of([frames[-1], frames[0]]))
     aspect = (view[1][1] - view[0][1]) / (view[1][0] - view[0][0])
     figure, grid = plt.subplots(
         1, 2 if same else 1, squeeze=False, layout="constrained",

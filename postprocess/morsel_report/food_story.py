@@ -1,5 +1,5 @@
 """What the page tells of food between plates."""
-from . import curves, food, style, tooth_cracks
+from . import curves, food, style, teeth, tooth_cracks
 from .tables import warnings_of
 
 # Of measured fracture patterns; dust at random stays below.
@@ -11,11 +11,16 @@ FIGURES = [
     ("moments", food.moments,
      "The food at several moments, between the plates (dark). Top, damage: "
      "from intact to failed. Below, the von Mises stress: where the food is "
-     "about to give way.", True),
+     "about to give way. Arrows: the force of the food on each tooth, at its "
+     "mean place of contact.", True),
     ("fragments", food.fragments,
      "The pieces that are left, each in its own colour and numbered by size; "
      "light grey is what has failed altogether, darker grey are crumbs too "
      "small to count.", True),
+    ("tractions", teeth.tractions,
+     "What the surfaces of plates and teeth felt at the peak of the force: "
+     "normal pressure and tangential traction, smoothed over the width of a "
+     "particle.", True),
     ("force", curves.force_over_time, "Force on the plates over time.", False),
     ("tooth_cracks", tooth_cracks.stress_intensity_over_time,
      "Stress intensity at the tips of the teeth's cracks: where the equivalent "
@@ -45,7 +50,7 @@ SECTIONS = [
     ("The food between the plates", ["moments"]),
     ("The pieces", ["fragments", "fragment_sizes", "fragment_distribution",
                     "failed_share"]),
-    ("Force and stress", ["force", "stress_strain"]),
+    ("Force and stress", ["force", "stress_strain", "tractions"]),
     ("Cracks in the teeth", ["tooth_cracks", "open_cracks"]),
     ("The energy ledger", ["energy"]),
 ]

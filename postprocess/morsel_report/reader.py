@@ -124,12 +124,15 @@ class Run:
         self.parameters = self._read_text("used.prm")
         self.log = self._read_text("run.log")
         self.bodies, self.plates, self.elastic_plates = {}, [], []
+        self.surfaces = []
         for xdmf in sorted((self.folder / "solution").glob("*.xdmf")):
             frames, particles = read_series(xdmf)
             if particles and frames:
                 self.bodies[xdmf.stem] = frames
             elif frames and xdmf.stem == "elastic_plates":
                 self.elastic_plates = frames
+            elif frames and xdmf.stem == "surfaces":
+                self.surfaces = frames
             elif frames:
                 self.plates = frames
         self._read_plate()

@@ -58,7 +58,13 @@ namespace Morsel::Contact
     for (unsigned int c = candidate.first; c < candidate.last; ++c)
       {
         const auto p = project(surface, facets_near[c], x);
-        if (std::abs(p.distance) < best)
+        // Beyond a corner both of its facets are equally near; if it is sharp,
+        // the point may lie behind the line of one: the other one is right.
+        const bool sides_differ =
+            p.distance * nearest.distance < 0. &&
+            std::abs(std::abs(p.distance) - best) < 1e-9 * best;
+        if (sides_differ ? std::abs(p.offset) > std::abs(nearest.offset)
+                         : std::abs(p.distance) < best)
           {
             nearest = p;
             best    = std::abs(p.distance);
@@ -90,8 +96,8 @@ namespace Morsel::Contact
     const auto v_relative = v - v_surface;
     const auto slip =
         v_relative - (v_relative * nearest.normal) * nearest.normal;
-    const auto f =
-        -k * gap * nearest.normal + friction(-k * gap, slip, time_step);
+    const auto f = -k * gap * nearest.normal +
+                   friction(i, -k * gap, nearest.normal, slip, time_step);
     surface.force[first] -= (1. - t) * f;
     surface.force[second] -= t * f;
     energy += 0.5 * k * gap * gap;
@@ -205,12 +211,13 @@ namespace Morsel::Contact
 
 
   dealii::Tensor<2, 2>
-  AveragedGap::tangent(const double                k,
+  AveragedGap::tangent(const unsigned int          particle,
                        const double                normal_force,
                        const dealii::Tensor<1, 2> &normal,
                        const dealii::Tensor<1, 2> &rubbing,
                        const double                time_step) const
   {
+    const double k    = stiffness_of(particle);
     auto         K    = k * outer_product(normal, normal);
     const double most = parameters.friction * normal_force;
     if (most <= 0.)
@@ -219,7 +226,8 @@ namespace Morsel::Contact
     if (rubbing.norm() < (1. - 1e-12) * most)
       {
         const dealii::Tensor<1, 2> along({-normal[1], normal[0]});
-        K += sticking_rate(time_step) / time_step * outer_product(along, along);
+        K += sticking_stiffness(particle, time_step) *
+             outer_product(along, along);
       }
     else
       K += k / normal_force * outer_product(rubbing, normal);
@@ -262,10 +270,10 @@ namespace Morsel::Contact
     const double k          = stiffness_of(i);
     const auto   v_relative = v - v_surface;
     const auto   slip       = v_relative - (v_relative * n) * n;
-    const auto   rubbing    = friction(-k * gap, slip, time_step);
+    const auto   rubbing    = friction(i, -k * gap, n, slip, time_step);
     const auto   f          = -k * gap * n + rubbing;
     touching.list.back().stiffness =
-        tangent(k, -k * gap, n, rubbing, time_step);
+        tangent(i, -k * gap, n, rubbing, time_step);
     for (unsigned int s = first; s < touching.shares.size(); ++s)
       surface.force[touching.shares[s].first] -= touching.shares[s].second * f;
     energy += 0.5 * k * gap * gap;

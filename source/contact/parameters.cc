@@ -34,5 +34,13 @@ namespace Morsel::Contact
                       friction,
                       "Coulomb friction coefficient [1].",
                       Patterns::Double(0., 10.));
+    prm.add_parameter(
+        "Stick",
+        stick,
+        "What holds a particle that does not slide: 'damped' (half of the slip "
+        "is stopped in each step, so that it creeps with the time step) or "
+        "'elastic' (a spring as stiff as the contact, which holds for good and "
+        "does not depend on the step).",
+        Patterns::Selection("damped|elastic"));
   }
 } // namespace Morsel::Contact

@@ -1,3 +1,4 @@
+#include <morsel/contact/facet_grid.h>
 #include <morsel/contact/gap_penalty.h>
 #include <morsel/contact/plate_contact.h>
 #include <morsel/core/kernel.h>
@@ -82,8 +83,12 @@ namespace Morsel::Contact
         // particle's slip around.
         const auto normal     = sum / size;
         const auto v_relative = v - v_nodes / weights;
-        const auto rubbing    = friction(
-            size, v_relative - (v_relative * normal) * normal, time_step);
+        const auto rubbing =
+            friction(candidate.particle,
+                     size,
+                     normal,
+                     v_relative - (v_relative * normal) * normal,
+                     time_step);
         for (const auto &[j, share] : shares)
           surface.force[j] -= share / weights * rubbing;
         return sum + rubbing;
@@ -141,6 +146,11 @@ namespace Morsel::Contact
     if (search_is_due(position, surface))
       search(position, surface);
     heat_before = heat;
+    if (parameters.sticks_elastically())
+      {
+        stretch.resize(n_owned);
+        stretch_before = stretch;
+      }
     return press_all(motion, time_step, surface);
   }
 
@@ -150,7 +160,8 @@ namespace Morsel::Contact
                               const double               time_step,
                               Surface                   &surface)
   {
-    heat = heat_before;
+    heat    = heat_before;
+    stretch = stretch_before;
     return press_all(motion, time_step, surface);
   }
 
@@ -173,6 +184,8 @@ namespace Morsel::Contact
                              surface);
         if (f[0] != 0. || f[1] != 0.)
           forces.push_back({c.particle, f});
+        else if (!stretch.empty())
+          stretch[c.particle] = 0.;
       }
     return forces;
   }
@@ -230,23 +243,15 @@ namespace Morsel::Contact
     candidates.clear();
     facets_near.clear();
 
-    // Bounding box first: most particles are far from the surface.
-    const double     reach = range + margin;
-    dealii::Point<2> lower = surface.nodes[0], upper = surface.nodes[0];
-    for (const auto &node : surface.nodes)
-      for (unsigned int d = 0; d < 2; ++d)
-        {
-          lower[d] = std::min(lower[d], node[d]);
-          upper[d] = std::max(upper[d], node[d]);
-        }
+    const double    reach = range + margin;
+    const FacetGrid grid(surface, reach);
     for (unsigned int i = 0; i < x.size(); ++i)
       {
-        if (x[i][0] < lower[0] - reach || x[i][0] > upper[0] + reach ||
-            x[i][1] < lower[1] - reach || x[i][1] > upper[1] + reach)
-          continue;
         const unsigned int first = facets_near.size();
-        for (unsigned int f = 0; f < surface.facets.size(); ++f)
-          if (std::abs(project(surface, f, x[i]).distance) < reach)
+        const auto [begin, end]  = grid.near(x[i]);
+        for (unsigned int c = begin; c < end; ++c)
+          if (const unsigned int f = grid.candidates()[c];
+              std::abs(project(surface, f, x[i]).distance) < reach)
             facets_near.push_back(f);
         if (facets_near.size() > first)
           candidates.push_back(
@@ -256,17 +261,47 @@ namespace Morsel::Contact
 
 
   dealii::Tensor<1, 2>
-  PlateContact::friction(const double                normal_force,
+  PlateContact::friction(const unsigned int          particle,
+                         const double                normal_force,
+                         const dealii::Tensor<1, 2> &normal,
                          const dealii::Tensor<1, 2> &slip,
                          const double                time_step)
   {
-    const double speed = slip.norm();
-    if (parameters.friction == 0. || speed == 0.)
+    if (parameters.friction == 0.)
       return {};
-    const double size = std::min(parameters.friction * normal_force,
-                                 0.5 * slipping_mass * speed / time_step);
+    const double most = parameters.friction * normal_force;
+    if (parameters.sticks_elastically())
+      return spring_friction(particle, most, normal, slip, time_step);
+    const double speed = slip.norm();
+    if (speed == 0.)
+      return {};
+    const double size = std::min(most, 0.5 * slipping_mass * speed / time_step);
     heat += size * speed * time_step;
     return -size / speed * slip;
+  }
+
+
+  /// Elastic stick and plastic slip by return mapping (Wriggers, Computational
+  /// Contact Mechanics, 2nd ed. 2006, section 5.2.3).
+  dealii::Tensor<1, 2>
+  PlateContact::spring_friction(const unsigned int          particle,
+                                const double                most,
+                                const dealii::Tensor<1, 2> &normal,
+                                const dealii::Tensor<1, 2> &slip,
+                                const double                time_step)
+  {
+    const double k      = stiffness_of(particle);
+    auto        &s      = stretch[particle];
+    const double before = s.norm_square();
+    const auto   way    = time_step * slip;
+    s -= (s * normal) * normal;
+    s += way;
+    if (const double length = s.norm(); k * length > most)
+      s *= most / (k * length);
+    // What the force takes over the step at hand and does not store.
+    heat += k * (s * way) - 0.5 * k * (s.norm_square() - before);
+    energy += 0.5 * k * s.norm_square();
+    return -k * s;
   }
 
 

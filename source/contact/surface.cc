@@ -21,20 +21,37 @@ namespace Morsel::Contact
                     const dealii::Point<2> &upper,
                     const double            node_spacing)
   {
-    std::vector<dealii::Point<2>> nodes;
-    const dealii::Point<2>        corners[4] = {
-               lower, {upper[0], lower[1]}, upper, {lower[0], upper[1]}};
-    for (unsigned int e = 0; e < 4; ++e)
-      {
-        const auto         edge = corners[(e + 1) % 4] - corners[e];
-        const unsigned int n =
-            std::max(1., std::ceil(edge.norm() / node_spacing - 1e-9));
-        for (unsigned int k = 0; k < n; ++k)
-          nodes.push_back(corners[e] + edge * (static_cast<double>(k) / n));
-      }
+    return polygon_surface(
+        name,
+        {{lower, {upper[0], lower[1]}, upper, {lower[0], upper[1]}}},
+        node_spacing);
+  }
+
+
+  Surface
+  polygon_surface(const std::string                                &name,
+                  const std::vector<std::vector<dealii::Point<2>>> &loops,
+                  const double node_spacing)
+  {
+    std::vector<dealii::Point<2>>                      nodes;
     std::vector<std::pair<unsigned int, unsigned int>> facets;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      facets.emplace_back(k, (k + 1) % nodes.size());
+    for (const auto &corners : loops)
+      {
+        const unsigned int first = nodes.size();
+        for (unsigned int e = 0; e < corners.size(); ++e)
+          {
+            const auto edge = corners[(e + 1) % corners.size()] - corners[e];
+            const unsigned int n =
+                std::max(1., std::ceil(edge.norm() / node_spacing - 1e-9));
+            for (unsigned int k = 0; k < n; ++k)
+              {
+                facets.emplace_back(nodes.size(), nodes.size() + 1);
+                nodes.push_back(corners[e] +
+                                edge * (static_cast<double>(k) / n));
+              }
+          }
+        facets.back().second = first;
+      }
     return polyline_surface(name, nodes, facets);
   }
 
@@ -81,6 +98,7 @@ namespace Morsel::Contact
     const double side = away * outward;
     const double norm = away.norm();
     p.distance        = side < 0. ? -norm : norm;
+    p.offset          = side;
     // Past an end of the facet the point is pushed away from the corner.
     p.normal = (p.interior || norm == 0.) ? outward
                                           : away / (side < 0. ? -norm : norm);

@@ -9,12 +9,12 @@ namespace Morsel::Jaw
 
 
   Eigen::VectorXd
-  nodal_forces(const Contact::Surface &surface)
+  nodal_forces(const Contact::Surface &surface, const dealii::Tensor<2, 2> &R)
   {
     Eigen::VectorXd f(2 * surface.force.size());
     for (unsigned int k = 0; k < surface.force.size(); ++k)
       for (unsigned int d = 0; d < 2; ++d)
-        f[2 * k + d] = surface.force[k][d];
+        f[2 * k + d] = (dealii::transpose(R) * surface.force[k])[d];
     return f;
   }
 
@@ -88,7 +88,7 @@ namespace Morsel::Jaw
   DynamicDeformation::account(const Contact::Surface &surface,
                               const DriveKick        &drive)
   {
-    Eigen::VectorXd f = nodal_forces(surface);
+    Eigen::VectorXd f = nodal_forces(surface, R);
     dealii::Utilities::MPI::sum(
         dealii::ArrayView<const double>(f.data(), f.size()),
         communicator,

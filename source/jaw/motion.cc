@@ -1,34 +1,150 @@
+#include <morsel/core/errors.h>
 #include <morsel/jaw/motion.h>
+#include <morsel/jaw/prescribed_motion.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/patterns.h>
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 namespace Morsel::Jaw
 {
+  namespace Patterns = dealii::Patterns;
+
   void
   MotionParameters::declare(dealii::ParameterHandler &prm)
   {
     prm.add_parameter(
-        "Velocity", velocity, "Prescribed velocity 'v_x, v_y' [m/s].");
+        "Kind",
+        kind,
+        "What moves the body: 'constant' (a velocity), 'sinusoidal' (to and "
+        "fro), 'table' (measured); 'force' (a mass on a straight guide under "
+        "a force, which hard food slows) or 'jaw' (rides on the hinge of the "
+        "section 'Jaw', moved by muscles).",
+        Patterns::Selection("constant|sinusoidal|table|force|jaw"));
+    prm.add_parameter("Velocity",
+                      velocity,
+                      "Constant: prescribed velocity 'v_x, v_y' [m/s].");
     prm.add_parameter(
         "Ramp time",
         ramp_time,
-        "Time in which the velocity is reached from rest, as sin^2 [s]; 0 "
-        "starts with an impact.",
-        dealii::Patterns::Double(0.));
+        "Constant, force: time in which the velocity or the force is reached "
+        "from zero, as sin^2 [s]; 0 starts with an impact.",
+        Patterns::Double(0.));
     prm.add_parameter(
         "Approach",
         approach_share,
-        "Share [1] of the way to the food's expected failure over which the "
+        "Constant: share [1] of the way to the food's expected failure over "
+        "which the "
         "body moves faster; over its second half the speed falls smoothly to "
         "the prescribed one. Up to 0.6 nothing fails yet; 0: none.",
-        dealii::Patterns::Double(0., 0.9));
-    prm.add_parameter("Approach factor",
-                      approach_factor,
-                      "Speed of the approach over the prescribed one [1].",
-                      dealii::Patterns::Double(1., 1000.));
+        Patterns::Double(0., 0.9));
+    prm.add_parameter(
+        "Approach factor",
+        approach_factor,
+        "Constant: speed of the approach over the prescribed one [1].",
+        Patterns::Double(1., 1000.));
+    prm.add_parameter(
+        "Amplitude",
+        amplitude,
+        "Sinusoidal: 'x, y' from one end of the way to the other "
+        "[m]; displacement = amplitude (1 - cos(2 pi t/period))/2.");
+    prm.add_parameter("Period",
+                      period,
+                      "Sinusoidal: time of one cycle [s].",
+                      Patterns::Double(0.));
+    prm.add_parameter("Table file",
+                      table_file,
+                      "Table: lines of 't x y' or 't x y angle' in s, m and "
+                      "degrees anticlockwise, beside the scene's file; the "
+                      "first line is the place in the scene. Monotone cubic "
+                      "in between, at rest before and after.",
+                      Patterns::Anything());
+    prm.add_parameter("Pivot",
+                      pivot,
+                      "Table: point 'x, y' about which the angle turns the "
+                      "body [m].");
+    prm.add_parameter(
+        "Force", force, "Force: 'F_x, F_y' along which the body moves [N].");
+    prm.add_parameter("Mass",
+                      mass,
+                      "Force: mass that the force moves [kg].",
+                      Patterns::Double(0.));
+    prm.add_parameter("Damping",
+                      damping,
+                      "Force: resistance against the motion [N s/m].",
+                      Patterns::Double(0.));
+  }
+
+
+  dealii::Tensor<1, 2>
+  MotionParameters::typical_velocity() const
+  {
+    if (kind == "constant")
+      return velocity;
+    if (kind == "sinusoidal" && period > 0.)
+      return (dealii::numbers::PI / period) * amplitude;
+    dealii::Tensor<1, 2> fastest;
+    if (kind == "table")
+      for (unsigned int k = 1; k < table.time.size(); ++k)
+        {
+          const dealii::Tensor<1, 2> step(
+              {table.shift_x[k] - table.shift_x[k - 1],
+               table.shift_y[k] - table.shift_y[k - 1]});
+          const auto mean = step / (table.time[k] - table.time[k - 1]);
+          if (mean.norm() > fastest.norm())
+            fastest = mean;
+        }
+    return fastest;
+  }
+
+
+  MotionTable
+  read_motion_table(const std::string &file_name)
+  {
+    std::ifstream file(file_name);
+    if (!file)
+      throw InputError("the file can't be read");
+    MotionTable         table;
+    std::vector<double> first;
+    std::string         line;
+    unsigned int        number = 0;
+    while (std::getline(file, line))
+      {
+        ++number;
+        for (char &c : line)
+          if (c == ',' || c == ';')
+            c = ' ';
+        std::istringstream  text(line);
+        std::vector<double> values;
+        for (double value; text >> value;)
+          values.push_back(value);
+        text.clear();
+        std::string rest;
+        text >> rest;
+        if (values.empty() &&
+            (rest.empty() || rest[0] == '#' || table.time.empty()))
+          continue;
+        const std::string where = "line " + std::to_string(number);
+        if (!rest.empty() || values.size() < 3 || values.size() > 4)
+          throw InputError(where + " is not 't x y' or 't x y angle'");
+        if (!table.time.empty() && values[0] <= table.time.back())
+          throw InputError(where + ": times must increase");
+        values.resize(4, 0.);
+        if (table.time.empty())
+          first = values;
+        table.time.push_back(values[0]);
+        table.shift_x.push_back(values[1] - first[1]);
+        table.shift_y.push_back(values[2] - first[2]);
+        table.angle.push_back((values[3] - first[3]) * dealii::numbers::PI /
+                              180.);
+      }
+    if (table.time.size() < 4)
+      throw InputError("it has " + std::to_string(table.time.size()) +
+                       " lines of numbers; give at least 4");
+    return table;
   }
 
 

@@ -32,12 +32,6 @@ namespace Morsel::Jaw
         "Sides that follow the motion, separated by commas: left, right, "
         "bottom, top of a rectangle, boundary ids of a mesh. With none the "
         "body is free, which only 'dynamic' can be.");
-    prm.add_parameter("Mesh file",
-                      mesh_file,
-                      "Quadrilaterals of the body, such as a .msh of Gmsh, "
-                      "beside the scene's file; its box takes the place of "
-                      "the corners. A rectangle if empty.",
-                      Patterns::Anything());
     prm.add_parameter("Cell size",
                       cell_size,
                       "Of a rectangle's mesh [m]; 0 takes an eighth of the "

@@ -2,21 +2,42 @@
 
 namespace Morsel::Jaw
 {
-  Plate::Plate(const Scene::PlateBody &body, const double node_spacing)
+  namespace
+  {
+    std::vector<std::vector<dealii::Point<2>>>
+    loops_of(const Scene::Outline &outline)
+    {
+      const auto                                &edges  = outline.get_edges();
+      const auto                                &starts = outline.loop_starts();
+      std::vector<std::vector<dealii::Point<2>>> loops(starts.size() - 1);
+      for (unsigned int l = 0; l < loops.size(); ++l)
+        for (unsigned int e = starts[l]; e < starts[l + 1]; ++e)
+          loops[l].push_back(edges[e].first);
+      return loops;
+    }
+  } // namespace
+
+
+  Plate::Plate(const Scene::PlateBody &body,
+               std::shared_ptr<Drive>  drive,
+               const double            node_spacing)
       : body(body)
-      , surface(Contact::rectangle_surface(body.name,
-                                           body.shape.lower_corner,
-                                           body.shape.upper_corner,
-                                           node_spacing))
+      , surface(Contact::polygon_surface(body.name,
+                                         loops_of(body.shape.outline()),
+                                         node_spacing))
+      , drive(std::move(drive))
       , initial_nodes(surface.nodes)
   {}
 
 
-  Plate::Plate(const Scene::PlateBody &body, const FE::ElasticBody &mesh)
+  Plate::Plate(const Scene::PlateBody &body,
+               std::shared_ptr<Drive>  drive,
+               const FE::ElasticBody  &mesh)
       : body(body)
       , surface(Contact::polyline_surface(body.name,
                                           mesh.surface_nodes(),
                                           mesh.surface_facets()))
+      , drive(std::move(drive))
       , initial_nodes(surface.nodes)
   {}
 
@@ -25,24 +46,26 @@ namespace Morsel::Jaw
   Plate::set_deformation(std::unique_ptr<Deformation> given)
   {
     deformation        = std::move(given);
-    half_step_velocity = velocity_at(body.motion, 0.);
+    half_step_velocity = drive->at(0.).velocity;
   }
 
 
   void
   Plate::move_to(const double time)
   {
-    now   = time;
-    moved = displacement_at(body.motion, time);
-    speed = velocity_at(body.motion, time);
+    now    = time;
+    placed = drive->at(time);
     for (unsigned int k = 0; k < surface.nodes.size(); ++k)
       {
-        surface.nodes[k]    = initial_nodes[k] + moved;
-        surface.velocity[k] = speed;
+        surface.nodes[k]    = placed.place(initial_nodes[k]);
+        surface.velocity[k] = placed.velocity_at(surface.nodes[k]);
         surface.force[k]    = 0.;
       }
     if (deformation)
-      deformation->add_to(surface);
+      {
+        deformation->turn(placed.orientation());
+        deformation->add_to(surface);
+      }
   }
 
 
@@ -61,19 +84,61 @@ namespace Morsel::Jaw
   void
   Plate::account(const double kick, const double time_step)
   {
-    load              = surface.total_force();
-    const auto before = push;
-    push              = -load;
+    load                     = surface.total_force();
+    const auto   before      = push;
+    const double moment_then = push_moment;
+    push                     = -load;
+    // Prescribed shifts need no moment, and the sum takes time.
+    const bool turns =
+        placed.angle != 0. || placed.spin != 0. || !body.motion.is_prescribed();
+    if (turns)
+      {
+        const auto pivot = placed.pivot + placed.shift;
+        push_moment      = 0.;
+        for (unsigned int k = 0; k < surface.nodes.size(); ++k)
+          push_moment -= cross(surface.nodes[k] - pivot, surface.force[k]);
+        drive->add_load(load, -push_moment);
+      }
     if (deformation)
       {
         const auto next =
-            (displacement_at(body.motion, now + time_step) - moved) / time_step;
+            body.motion.is_prescribed()
+                ? (drive->at(now + time_step).shift - placed.shift) / time_step
+                : placed.velocity;
         push = deformation->account(surface, {kick, half_step_velocity, next});
         half_step_velocity = next;
       }
-    work_done += 0.5 * (before + push) * (moved - accounted_at);
+    work_done +=
+        0.5 * (before + push) * (placed.shift - accounted_at.shift) +
+        0.5 * (moment_then + push_moment) * (placed.angle - accounted_at.angle);
     impulse_given += impulse_to_come;
     impulse_to_come = push * kick;
-    accounted_at    = moved;
+    accounted_at    = placed;
+  }
+
+
+  namespace
+  {
+    dealii::Point<2>
+    middle(const Scene::Rectangle &box)
+    {
+      return box.lower_corner + 0.5 * (box.upper_corner - box.lower_corner);
+    }
+  } // namespace
+
+
+  dealii::Tensor<1, 2>
+  Plate::displacement() const
+  {
+    return placed.angle == 0.
+               ? placed.shift
+               : placed.place(middle(body.shape)) - middle(body.shape);
+  }
+
+
+  dealii::Tensor<1, 2>
+  Plate::velocity() const
+  {
+    return placed.velocity_at(placed.place(middle(body.shape)));
   }
 } // namespace Morsel::Jaw

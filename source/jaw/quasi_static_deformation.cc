@@ -37,11 +37,10 @@ namespace Morsel::Jaw
   QuasiStaticDeformation::add_to(Contact::Surface &surface) const
   {
     for (unsigned int k = 0; k < surface.nodes.size(); ++k)
-      for (unsigned int d = 0; d < 2; ++d)
-        {
-          surface.nodes[k][d] += w[2 * k + d];
-          surface.velocity[k][d] += rate[2 * k + d];
-        }
+      {
+        surface.nodes[k] += turned(R, w, k);
+        surface.velocity[k] += turned(R, rate, k);
+      }
   }
 
 
@@ -102,14 +101,17 @@ namespace Morsel::Jaw
     contact_stiffness    = Eigen::MatrixXd::Zero(n, n);
     for (const auto *const list : touches)
       for (const auto &t : list->list)
-        for (unsigned int i = t.first; i < t.last; ++i)
-          for (unsigned int j = t.first; j < t.last; ++j)
-            for (unsigned int c = 0; c < 2; ++c)
-              for (unsigned int d = 0; d < 2; ++d)
-                contact_stiffness(2 * place[list->shares[i].first] + c,
-                                  2 * place[list->shares[j].first] + d) +=
-                    list->shares[i].second * list->shares[j].second *
-                    t.stiffness[c][d];
+        {
+          const auto stiffness = dealii::transpose(R) * t.stiffness * R;
+          for (unsigned int i = t.first; i < t.last; ++i)
+            for (unsigned int j = t.first; j < t.last; ++j)
+              for (unsigned int c = 0; c < 2; ++c)
+                for (unsigned int d = 0; d < 2; ++d)
+                  contact_stiffness(2 * place[list->shares[i].first] + c,
+                                    2 * place[list->shares[j].first] + d) +=
+                      list->shares[i].second * list->shares[j].second *
+                      stiffness[c][d];
+        }
     Eigen::MatrixXd C(n, n);
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
@@ -126,7 +128,7 @@ namespace Morsel::Jaw
                                  const double      time_step)
   {
     ++evaluations;
-    const Eigen::VectorXd f = nodal_forces(surface);
+    const Eigen::VectorXd f = nodal_forces(surface, R);
     make_columns(touches);
     const Eigen::VectorXd answer   = deflection(f);
     const double          residual = (answer - w).lpNorm<Eigen::Infinity>();
@@ -169,14 +171,14 @@ namespace Morsel::Jaw
       }
     if (attempt > attempts_before_half)
       next = 0.5 * (next + w);
-    last_residual = residual;
+    last_residual              = residual;
+    const Eigen::VectorXd step = next - w;
     for (unsigned int k = 0; k < surface.nodes.size(); ++k)
-      for (unsigned int d = 0; d < 2; ++d)
-        {
-          const double change = next[2 * k + d] - w[2 * k + d];
-          surface.nodes[k][d] += change;
-          surface.velocity[k][d] += change / time_step;
-        }
+      {
+        const auto change = turned(R, step, k);
+        surface.nodes[k] += change;
+        surface.velocity[k] += change / time_step;
+      }
     w = next;
     return false;
   }

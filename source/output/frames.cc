@@ -272,6 +272,7 @@ namespace Morsel::Output
 
 
   template class Frames<0>;
+  template class Frames<1>;
   template class Frames<2>;
 
 
@@ -283,16 +284,13 @@ namespace Morsel::Output
     std::vector<Point<2>> points;
     std::vector<double>   velocity, force, number;
     for (std::size_t p = 0; p < plates.size() && frames.rank() == 0; ++p)
-      for (unsigned int v = 0; v < 4; ++v)
+      for (const Point<2> &corner : plates[p].corners)
         {
-          const auto &plate = plates[p];
-          points.emplace_back(
-              v % 2 == 0 ? plate.lower_corner[0] : plate.upper_corner[0],
-              v / 2 == 0 ? plate.lower_corner[1] : plate.upper_corner[1]);
+          points.push_back(corner);
           for (unsigned int d = 0; d < 2; ++d)
             {
-              velocity.push_back(plate.velocity[d]);
-              force.push_back(plate.force[d]);
+              velocity.push_back(plates[p].velocity[d]);
+              force.push_back(plates[p].force[d]);
             }
           number.push_back(p);
         }

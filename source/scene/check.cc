@@ -107,8 +107,8 @@ namespace Morsel::Scene
       for (const ContactPair &pair : scene.contact_pairs)
         for (const PlateBody &plate : scene.plate_bodies)
           if (pair.food == body.name && pair.plate == plate.name &&
-              (!fastest ||
-               plate.motion.velocity.norm() > fastest->motion.velocity.norm()))
+              (!fastest || plate.motion.typical_velocity().norm() >
+                               fastest->motion.typical_velocity().norm()))
             fastest = plate;
       return fastest;
     }
@@ -230,7 +230,7 @@ namespace Morsel::Scene
       if (!plate)
         return;
       const std::string path  = "Body " + plate->name + "/Motion/Velocity";
-      const double      speed = plate->motion.velocity.norm();
+      const double      speed = plate->motion.typical_velocity().norm();
       if (speed > 0.1 * limits.speed)
         findings.advise(path,
                         "it is more than a tenth of the wave speed " +
@@ -264,7 +264,7 @@ namespace Morsel::Scene
           scene.plate_bodies.begin(),
           scene.plate_bodies.end(),
           [&](const PlateBody &b) { return b.name == pair.plate; });
-      const double gap = -overlap(food->shape, plate->shape);
+      const double gap = gap_between(*food, *plate);
       // The potential reaches 1.5 spacings from a particle's centre, which
       // lies half a spacing inside of the food.
       if (scene.contact.law == "potential" && gap < (1. - 1e-6) * food->spacing)
@@ -279,8 +279,10 @@ namespace Morsel::Scene
       if (gap <= 1.01 * food->spacing)
         return;
 
+      if (!plate->motion.is_prescribed())
+        return;
       const double speed =
-          (plate->motion.velocity - food->initial_velocity).norm();
+          (plate->motion.typical_velocity() - food->initial_velocity).norm();
       std::string text = "the plate stands " + number_text(gap) + " m off '" +
                          food->name + "'";
       if (gap > speed * scene.time.end_time)
@@ -298,7 +300,14 @@ namespace Morsel::Scene
       if (!(scene.time.end_time > 0.))
         findings.mistake("Time/End time", "it must be positive, in s.");
       const double closure = scene.stop.maximum_closure;
-      if (!(closure > 0. && closure < 1.))
+      // What comes from afar may close by more than the food's height.
+      const bool from_afar =
+          std::any_of(scene.plate_bodies.begin(),
+                      scene.plate_bodies.end(),
+                      [](const PlateBody &plate) {
+                        return plate.motion.kind != "constant";
+                      });
+      if (!(closure > 0. && (closure < 1. || from_afar)))
         findings.mistake("Stop/Maximum closure",
                          "it must lie between 0 and 1, as a share of the "
                          "food's height.");
@@ -362,6 +371,7 @@ namespace Morsel::Scene
           check_gap(pair, scene, findings);
         for (const PlateBody &plate : scene.plate_bodies)
           check_approach(plate, findings);
+        check_drives(scene, findings);
         check_conditions(scene, findings);
       }
     if (!findings.clean())

@@ -4,6 +4,8 @@
 #include <morsel/core/suggestions.h>
 #include <morsel/scene/findings.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 
 namespace Morsel::Scene
@@ -152,10 +154,10 @@ namespace Morsel::Scene
   {
     if (!scene.plate_bodies.empty())
       {
-        if (!scene.conditions.empty())
+        if (!scene.conditions.empty() &&
+            dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
           findings.mistake("Conditions",
-                           "supports and loads belong to scenes without "
-                           "plates; leave out the rigid bodies, or these.");
+                           "supports and loads work on one rank only.");
         if (!scene.observers.empty())
           findings.mistake("Observers",
                            "points are observed in scenes without plates; "

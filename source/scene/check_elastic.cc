@@ -21,7 +21,7 @@ namespace Morsel::Scene
                      Findings                       &findings)
     {
       std::vector<std::string> sides = {"left", "right", "bottom", "top"};
-      const std::string       &file  = body.deformation.mesh_file;
+      const std::string       &file  = body.shape.mesh_file;
       if (!file.empty())
         {
           sides.clear();
@@ -30,7 +30,7 @@ namespace Morsel::Scene
           dealii::Triangulation<2> mesh;
           read_mesh(file, mesh);
           if (!mesh.all_reference_cells_are_hyper_cube())
-            findings.mistake("Body " + body.name + "/Deformation/Mesh file",
+            findings.mistake("Body " + body.name + "/Shape/Mesh file",
                              "the mesh has triangles; an elastic body is made "
                              "of quadrilaterals, in Gmsh by 'Recombine "
                              "Surface'.");
@@ -59,12 +59,14 @@ namespace Morsel::Scene
                          "nothing holds the body, so that only its inertia "
                          "can answer the food: name 'Held sides', or take "
                          "'dynamic'.");
-      if (held.empty() && body.motion.velocity.norm() > 0.)
-        findings.mistake("Body " + body.name + "/Motion/Velocity",
-                         "a body that nothing holds does not follow a motion: "
-                         "name '" +
-                             section +
-                             "Held sides', or give 'Initial velocity' there.");
+      if (held.empty() &&
+          (body.motion.kind != "constant" || body.motion.velocity.norm() > 0.))
+        findings.mistake(
+            "Body " + body.name + "/Motion/" +
+                (body.motion.kind == "constant" ? "Velocity" : "Kind"),
+            "a body that nothing holds does not follow a motion: "
+            "name '" +
+                section + "Held sides', or give 'Initial velocity' there.");
       if (!held.empty() && given.initial_velocity.norm() > 0.)
         findings.mistake(section + "Initial velocity",
                          "the body is held and begins with the velocity of "
@@ -103,7 +105,7 @@ namespace Morsel::Scene
 
     const std::string path = "Body " + body.name + "/Deformation/Cell size";
     const double      size = given.cell_size;
-    if (size > 0. && given.mesh_file.empty())
+    if (size > 0. && !body.shape.is_mesh())
       for (unsigned int d = 0; d < 2; ++d)
         if (body.shape.extent(d) > most_cells * size)
           {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace Morsel::Scene
 {
@@ -29,6 +31,62 @@ namespace Morsel::Scene
                            "it belongs to the kind '" + entry.kind +
                                "', but the shape's 'Kind' is '" + shape.kind +
                                "'; leave it out, or change the kind.");
+    }
+
+
+    void
+    check_entries(const PlateBody &body, Findings &findings)
+    {
+      const PlateShape &shape = body.shape;
+      if (shape.is_mesh())
+        return;
+      for (const auto &[key, given] :
+           {std::pair("Mesh angle", shape.mesh_angle != 0.),
+            std::pair("Mesh shift", shape.mesh_shift.norm() > 0.)})
+        if (given)
+          findings.mistake("Body " + body.name + "/Shape/" + key,
+                           "it moves a mesh, but the body is a rectangle; "
+                           "name its 'Mesh file', or leave this out.");
+    }
+
+
+    /// A body of whatever kind.
+    struct Solid
+    {
+      std::string              name;
+      const Rectangle         *shape;
+      bool                     rigid, rectangle;
+      std::string              end_entry; ///< that says where it ends
+      std::string              place_entry;
+      std::function<Outline()> outline;
+    };
+
+
+    void
+    check_apart(const Solid &solid,
+                const Solid &other,
+                const double tolerance,
+                Findings    &findings)
+    {
+      double      common = overlap(*solid.shape, *other.shape);
+      std::string place;
+      if (common > tolerance && !(solid.rectangle && other.rectangle))
+        {
+          const Separation s = separation(solid.outline(), other.outline());
+          common             = -s.gap;
+          place              = " at (" + number_text(s.where[0]) + ", " +
+                  number_text(s.where[1]) + ") m";
+        }
+      if (common <= tolerance)
+        return;
+      const std::string text = "the body overlaps '" + other.name + "' by " +
+                               number_text(common) + " m" + place;
+      const std::string path =
+          "Body " + solid.name + "/Shape/" + solid.place_entry;
+      if (solid.rigid && other.rigid)
+        findings.advise(path, text + ".");
+      else
+        findings.mistake(path, text + "; move one of them.");
     }
 
 
@@ -102,30 +160,48 @@ namespace Morsel::Scene
   }
 
 
+  double
+  gap_between(const ParticleBody &food, const PlateBody &plate)
+  {
+    return food.shape.is_rectangle() && !plate.shape.is_mesh()
+               ? -overlap(food.shape, plate.shape)
+               : separation(food.shape.outline(), plate.shape.outline()).gap;
+  }
+
+
   void
   check_geometry(const Scene &scene, Findings &findings)
   {
-    struct Solid
-    {
-      std::string      name;
-      const Rectangle *shape;
-      bool             rigid;
-      std::string      entry; ///< that says where it ends
-    };
     std::vector<Solid> solids;
     for (const ParticleBody &body : scene.particle_bodies)
       {
         check_entries(body, findings);
-        solids.push_back(
-            {body.name, &body.shape, false, body.shape.main_entry()});
+        solids.push_back({body.name,
+                          &body.shape,
+                          false,
+                          body.shape.is_rectangle(),
+                          body.shape.main_entry(),
+                          "Lower corner",
+                          [&body] { return body.shape.outline(); }});
       }
     for (const PlateBody &body : scene.plate_bodies)
-      solids.push_back({body.name, &body.shape, true, "Upper corner"});
+      {
+        check_entries(body, findings);
+        solids.push_back({body.name,
+                          &body.shape,
+                          true,
+                          !body.shape.is_mesh(),
+                          "Upper corner",
+                          body.shape.is_mesh() ? "Mesh shift" : "Lower corner",
+                          [&body] { return body.shape.outline(); }});
+      }
 
     check_rectangle(scene.domain, "Domain", "Upper corner", findings);
     for (const Solid &solid : solids)
-      check_rectangle(
-          *solid.shape, "Body " + solid.name + "/Shape", solid.entry, findings);
+      check_rectangle(*solid.shape,
+                      "Body " + solid.name + "/Shape",
+                      solid.end_entry,
+                      findings);
     if (!findings.clean())
       return;
 
@@ -135,19 +211,8 @@ namespace Morsel::Scene
             *solids[i].shape, solids[i].name, scene.domain, findings);
         // Bodies in static equilibrium know nothing of each other.
         for (std::size_t j = 0; j < (scene.time.is_static() ? 0 : i); ++j)
-          {
-            const double common = overlap(*solids[i].shape, *solids[j].shape);
-            if (common <= 1e-9 * scene.domain.extent(0))
-              continue;
-            const std::string text = "the body overlaps '" + solids[j].name +
-                                     "' by " + number_text(common) + " m";
-            const std::string path =
-                "Body " + solids[i].name + "/Shape/Lower corner";
-            if (solids[i].rigid && solids[j].rigid)
-              findings.advise(path, text + ".");
-            else
-              findings.mistake(path, text + "; move one of them.");
-          }
+          check_apart(
+              solids[i], solids[j], 1e-9 * scene.domain.extent(0), findings);
       }
     if (!(scene.depth > 0.))
       findings.mistake("Depth", "it must be positive, in m.");

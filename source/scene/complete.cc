@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -39,53 +40,23 @@ namespace Morsel::Scene
     }
 
 
+    /// @param path of the entry that says most of the shape
+    /// @param complete does it, given the folder of the scene's file
     void
-    complete_shape(ParticleBody                      &body,
-                   const std::string                 &file_name,
-                   const std::vector<ParameterEntry> &entries)
+    complete_shape(const std::string                              &path,
+                   const std::string                              &file_name,
+                   const std::vector<ParameterEntry>              &entries,
+                   const std::function<void(const std::string &)> &complete)
     {
-      const std::string path =
-          "Body " + body.name + "/Shape/" + body.shape.main_entry();
       try
         {
-          body.shape.complete(
-              body.particles_across,
-              std::filesystem::path(file_name).parent_path().string());
+          complete(std::filesystem::path(file_name).parent_path().string());
         }
       catch (const InputError &error)
         {
           const std::string where = last_place(entries, path);
           throw InputError((where.empty() ? file_name : where) + ": '" + path +
                            "' = '" + last_value(entries, path, "") +
-                           "': " + error.what() + ".");
-        }
-    }
-
-
-    /// An elastic body's mesh: its full path and its box.
-    void
-    complete_mesh(PlateBody                         &body,
-                  const std::string                 &file_name,
-                  const std::vector<ParameterEntry> &entries)
-    {
-      std::string &mesh = body.deformation.mesh_file;
-      if (mesh.empty())
-        return;
-      const std::string path = "Body " + body.name + "/Deformation/Mesh file";
-      try
-        {
-          mesh = std::filesystem::absolute(
-                     std::filesystem::path(file_name).parent_path() / mesh)
-                     .lexically_normal()
-                     .string();
-          const Outline outline   = outline_of_mesh(mesh);
-          body.shape.lower_corner = outline.lower();
-          body.shape.upper_corner = outline.upper();
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(last_place(entries, path) + ": '" + path + "' = '" +
-                           last_value(entries, path, "") +
                            "': " + error.what() + ".");
         }
     }
@@ -125,26 +96,79 @@ namespace Morsel::Scene
     }
 
 
-    /// Reads "food:plate, ..."; the order within a pair is free.
-    std::vector<ContactPair>
+    /// A measured motion, and the full path of its file.
+    void
+    complete_table(PlateBody                         &body,
+                   const std::string                 &file_name,
+                   const std::vector<ParameterEntry> &entries)
+    {
+      std::string &table = body.motion.table_file;
+      if (body.motion.kind != "table" || table.empty())
+        return;
+      const std::string path = "Body " + body.name + "/Motion/Table file";
+      try
+        {
+          table = std::filesystem::absolute(
+                      std::filesystem::path(file_name).parent_path() / table)
+                      .lexically_normal()
+                      .string();
+          body.motion.table = Jaw::read_motion_table(table);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(last_place(entries, path) + ": '" + path + "' = '" +
+                           last_value(entries, path, "") +
+                           "': " + error.what() + ".");
+        }
+    }
+
+
+    /// All that may touch where a scene names no pairs.
+    void
+    pair_all(Scene &scene)
+    {
+      for (const ParticleBody &food : scene.particle_bodies)
+        for (const PlateBody &plate : scene.plate_bodies)
+          scene.contact_pairs.push_back({food.name, plate.name});
+      for (std::size_t i = 0; i < scene.particle_bodies.size(); ++i)
+        for (std::size_t j = i + 1; j < scene.particle_bodies.size(); ++j)
+          scene.food_pairs.push_back(
+              {scene.particle_bodies[i].name, scene.particle_bodies[j].name});
+      for (std::size_t i = 0; i < scene.plate_bodies.size(); ++i)
+        for (std::size_t j = i + 1; j < scene.plate_bodies.size(); ++j)
+          {
+            const PlateBody &a = scene.plate_bodies[i];
+            const PlateBody &b = scene.plate_bodies[j];
+            const bool       together =
+                a.motion.kind == "jaw" && b.motion.kind == "jaw";
+            if (!together &&
+                !(a.motion.is_prescribed() && b.motion.is_prescribed()))
+              scene.plate_pairs.push_back({a.name, b.name});
+          }
+    }
+
+
+    /// Reads "food:plate, tooth:tooth, food:food, ..."; the order within a pair
+    /// is free.
+    void
     read_pairs(const std::string                 &text,
-               const Scene                       &scene,
+               Scene                             &scene,
                const std::vector<ParameterEntry> &entries)
     {
-      std::set<std::string> particle_names, rigid_names;
-      for (const ParticleBody &body : scene.particle_bodies)
-        particle_names.insert(body.name);
-      for (const PlateBody &body : scene.plate_bodies)
-        rigid_names.insert(body.name);
-      std::vector<std::string> all_names(particle_names.begin(),
-                                         particle_names.end());
-      all_names.insert(all_names.end(), rigid_names.begin(), rigid_names.end());
-
-      std::vector<ContactPair> pairs;
       if (text.empty())
-        for (const ParticleBody &food : scene.particle_bodies)
-          for (const PlateBody &plate : scene.plate_bodies)
-            pairs.push_back({food.name, plate.name});
+        {
+          pair_all(scene);
+          return;
+        }
+      std::set<std::string>    particle_names;
+      std::vector<std::string> all_names;
+      for (const ParticleBody &body : scene.particle_bodies)
+        {
+          particle_names.insert(body.name);
+          all_names.push_back(body.name);
+        }
+      for (const PlateBody &body : scene.plate_bodies)
+        all_names.push_back(body.name);
 
       const std::string place = last_place(entries, "Contact/Pairs") +
                                 ": 'Contact/Pairs' = '" + text + "': ";
@@ -157,20 +181,24 @@ namespace Morsel::Scene
             throw InputError(place + "'" + item +
                              "' is not a pair; give 'food:plate'.");
           for (const std::string &name : names)
-            if (particle_names.count(name) + rigid_names.count(name) == 0)
+            if (std::find(all_names.begin(), all_names.end(), name) ==
+                all_names.end())
               throw InputError(place + "There is no body '" + name + "'." +
                                did_you_mean(name, all_names));
-          const bool        in_order = particle_names.count(names[0]) > 0;
-          const ContactPair pair{names[in_order ? 0 : 1],
-                                 names[in_order ? 1 : 0]};
-          if (particle_names.count(pair.food) == 0 ||
-              rigid_names.count(pair.plate) == 0)
+          const unsigned int n_particle =
+              particle_names.count(names[0]) + particle_names.count(names[1]);
+          if (names[0] == names[1])
             throw InputError(place + "'" + item +
-                             "' must join a particle body and a rigid or "
-                             "elastic one.");
-          pairs.push_back(pair);
+                             "' must join two different bodies.");
+          if (n_particle == 2)
+            scene.food_pairs.push_back({names[0], names[1]});
+          else if (n_particle == 0)
+            scene.plate_pairs.push_back({names[0], names[1]});
+          else if (particle_names.count(names[0]) > 0)
+            scene.contact_pairs.push_back({names[0], names[1]});
+          else
+            scene.contact_pairs.push_back({names[1], names[0]});
         }
-      return pairs;
     }
 
 
@@ -187,6 +215,8 @@ namespace Morsel::Scene
         return;
       for (PlateBody &plate : scene.plate_bodies)
         {
+          if (plate.motion.kind != "constant")
+            continue;
           const auto        &v     = plate.motion.velocity;
           const unsigned int axis  = std::abs(v[0]) > std::abs(v[1]) ? 0 : 1;
           double             speed = 0.;
@@ -219,9 +249,21 @@ namespace Morsel::Scene
     if (scene.name.empty())
       scene.name = std::filesystem::path(file_name).stem().string();
     for (ParticleBody &body : scene.particle_bodies)
-      complete_shape(body, file_name, entries);
+      complete_shape("Body " + body.name + "/Shape/" + body.shape.main_entry(),
+                     file_name,
+                     entries,
+                     [&](const std::string &folder) {
+                       body.shape.complete(body.particles_across, folder);
+                     });
     for (PlateBody &body : scene.plate_bodies)
-      complete_mesh(body, file_name, entries);
+      {
+        complete_shape(
+            "Body " + body.name + "/Shape/Mesh file",
+            file_name,
+            entries,
+            [&](const std::string &folder) { body.shape.complete(folder); });
+        complete_table(body, file_name, entries);
+      }
     if (last_place(entries, "Domain/Lower corner").empty() &&
         last_place(entries, "Domain/Upper corner").empty())
       scene.domain = box_around_bodies(scene);
@@ -232,7 +274,7 @@ namespace Morsel::Scene
         complete_solid(body, entries);
       }
     complete_approaches(scene);
-    scene.contact_pairs = read_pairs(pairs, scene, entries);
+    read_pairs(pairs, scene, entries);
     if (scene.particle_bodies.empty())
       return;
     const std::string first = scene.particle_bodies.front().name;

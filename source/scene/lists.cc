@@ -81,6 +81,7 @@ namespace Morsel::Scene
       }
     parts.conditions = list_names(entries, "Conditions", "condition");
     parts.observers  = list_names(entries, "Observers", "observer");
+    parts.muscles    = list_names(entries, "Muscles", "muscle");
     return parts;
   }
 } // namespace Morsel::Scene

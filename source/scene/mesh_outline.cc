@@ -160,6 +160,13 @@ namespace Morsel::Scene
   {
     dealii::Triangulation<2> mesh;
     read_mesh(file, mesh);
+    return outline_of(mesh, file);
+  }
+
+
+  Outline
+  outline_of(const dealii::Triangulation<2> &mesh, const std::string &file)
+  {
     std::map<unsigned int, Face> faces = boundary_faces(mesh, file);
 
     const auto                           known = physical_names(file);

@@ -49,7 +49,8 @@ namespace Morsel::Scene
                     const std::string              &thing,
                     const std::string              &meaning);
 
-      std::vector<std::string> body_names, condition_names, observer_names;
+      std::vector<std::string> body_names, condition_names, observer_names,
+          muscle_names;
     };
 
 
@@ -105,9 +106,11 @@ namespace Morsel::Scene
       prm.enter_subsection("Contact");
       prm.add_parameter("Pairs",
                         pairs,
-                        "Bodies that may touch, as 'food:plate, ...'; every "
-                        "particle body with every rigid or elastic one if "
-                        "empty.");
+                        "Bodies that may touch, as 'food:plate, "
+                        "food:food, tooth:tooth'; if empty, every particle "
+                        "body with every other body, and rigid or elastic "
+                        "ones that a force or the jaw moves with all others. "
+                        "Of account where there are plates.");
       scene.contact.declare(prm);
       prm.leave_subsection();
 
@@ -124,11 +127,18 @@ namespace Morsel::Scene
                     "Names of the points that are recorded in a scene without "
                     "plates");
 
+      declare_named(parts.muscles,
+                    muscle_names,
+                    scene.muscles,
+                    "Muscle",
+                    "Names of the muscles that move the jaw");
+
       const auto section = [this](const char *name, auto &part) {
         prm.enter_subsection(name);
         part.declare(prm);
         prm.leave_subsection();
       };
+      section("Jaw", scene.jaw);
       section("Time", scene.time);
       section("Stop", scene.stop);
       section("Output", scene.output);
@@ -172,8 +182,8 @@ namespace Morsel::Scene
           body.kind,
           Patterns::Selection("particles|rigid|elastic"),
           "'particles' (a deformable solid that can break), "
-          "'rigid' (moves as told) or 'elastic' (finite elements, "
-          "held at sides that move as told).");
+          "'rigid' (moves by its drive) or 'elastic' (finite elements, "
+          "held at sides that move so).");
       for (ParticleBody &particles : scene.particle_bodies)
         if (particles.name == body.name)
           particles.declare(prm);
@@ -243,17 +253,23 @@ namespace Morsel::Scene
         }
 
       for (const PlateBody &body : scene.plate_bodies)
-        if (!body.deformation.mesh_file.empty())
+        if (const std::string table = body.motion.table_file; !table.empty())
           {
-            const Rectangle   box  = body.shape;
-            const std::string mesh = body.deformation.mesh_file;
+            prm.enter_subsection("Body " + body.name);
+            prm.enter_subsection("Motion");
+            prm.set("Table file", table);
+            prm.leave_subsection();
+            prm.leave_subsection();
+          }
+      for (const PlateBody &body : scene.plate_bodies)
+        if (body.shape.is_mesh())
+          {
+            const PlateShape shape = body.shape;
             prm.enter_subsection("Body " + body.name);
             prm.enter_subsection("Shape");
-            prm.set("Lower corner", point_text(box.lower_corner));
-            prm.set("Upper corner", point_text(box.upper_corner));
-            prm.leave_subsection();
-            prm.enter_subsection("Deformation");
-            prm.set("Mesh file", mesh);
+            prm.set("Lower corner", point_text(shape.lower_corner));
+            prm.set("Upper corner", point_text(shape.upper_corner));
+            prm.set("Mesh file", shape.mesh_file);
             prm.leave_subsection();
             prm.leave_subsection();
           }

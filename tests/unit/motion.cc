@@ -1,4 +1,4 @@
-#include <morsel/jaw/motion.h>
+#include <morsel/jaw/prescribed_motion.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -77,9 +77,8 @@ BOOST_AUTO_TEST_CASE(plates_come_back)
 {
   Output::Frames<2> frames(folder("plates").string(), "plates", MPI_COMM_WORLD);
   Output::PlateState plate;
-  plate.lower_corner = {0., 1.};
-  plate.upper_corner = {2., 3.};
-  plate.velocity[1]  = -0.1;
+  plate.corners     = {{0., 1.}, {2., 1.}, {0., 3.}, {2., 3.}};
+  plate.velocity[1] = -0.1;
   Output::write_plates(frames, 0., {plate, plate});
   dealii::HDF5::File file((folder("plates") / "plates_000000.h5").string(),
                           dealii::HDF5::File::FileAccessMode::open);

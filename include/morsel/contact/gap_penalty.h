@@ -40,9 +40,8 @@ namespace Morsel::Contact
       return edges.distance.empty() ? range : edges.distance[particle];
     }
 
-    /// Of a particle [N/m].
     double
-    stiffness_of(const unsigned int particle) const
+    stiffness_of(const unsigned int particle) const override
     {
       return edges.width.empty() ? k : k * edges.width[particle] / side.spacing;
     }
@@ -109,7 +108,7 @@ namespace Morsel::Contact
 
     /// How the force on the surface falls as it moves [N/m].
     dealii::Tensor<2, 2>
-    tangent(double                      k,
+    tangent(unsigned int                particle,
             double                      normal_force,
             const dealii::Tensor<1, 2> &normal,
             const dealii::Tensor<1, 2> &rubbing,

@@ -18,6 +18,14 @@ namespace Morsel::Contact
     double potential_exponent = 4.;
     /// Coulomb friction coefficient [1].
     double friction = 0.5;
+    /// What holds a particle that does not slide: "damped" or "elastic".
+    std::string stick = "damped";
+
+    bool
+    sticks_elastically() const
+    {
+      return friction > 0. && stick == "elastic";
+    }
 
     void
     declare(dealii::ParameterHandler &prm);

@@ -113,18 +113,31 @@ namespace Morsel::Contact
           double                      time_step,
           Surface                    &surface) = 0;
 
-    /// Coulomb friction [N] on a particle that slides with @p slip [m/s];
-    /// never more than what stops it within the step.
+    /// Coulomb friction [N] on a particle that moves along the surface with
+    /// @p slip [m/s]: never more than what stops it within the step, or what
+    /// its spring asks for.
     dealii::Tensor<1, 2>
-    friction(double                      normal_force,
+    friction(unsigned int                particle,
+             double                      normal_force,
+             const dealii::Tensor<1, 2> &normal,
              const dealii::Tensor<1, 2> &slip,
              double                      time_step);
 
-    /// Friction over slip where it stops a particle within the step [N s/m].
+    /// How friction that sticks grows with the way along the surface [N/m].
     double
-    sticking_rate(const double time_step) const
+    sticking_stiffness(const unsigned int particle,
+                       const double       time_step) const
     {
-      return 0.5 * slipping_mass / time_step;
+      return parameters.sticks_elastically()
+                 ? stiffness_of(particle)
+                 : 0.5 * slipping_mass / (time_step * time_step);
+    }
+
+    /// Of a particle against the surface [N/m].
+    virtual double
+    stiffness_of(unsigned int /*particle*/) const
+    {
+      return stiffness();
     }
 
     const ContactParameters parameters;
@@ -153,6 +166,17 @@ namespace Morsel::Contact
     std::vector<ParticleForce>    forces;
     double                        heat_before = 0.;
     double                        slipping_mass;
+
+    dealii::Tensor<1, 2>
+    spring_friction(unsigned int                particle,
+                    double                      most,
+                    const dealii::Tensor<1, 2> &normal,
+                    const dealii::Tensor<1, 2> &slip,
+                    double                      time_step);
+
+    /// How far the springs of particles that stick are stretched, by particle
+    /// [m], now and before the present step; empty if there are none.
+    std::vector<dealii::Tensor<1, 2>> stretch, stretch_before;
   };
 
 

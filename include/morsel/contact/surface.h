@@ -40,6 +40,14 @@ namespace Morsel::Contact
                     double                  node_spacing);
 
 
+  /// Surface of a polygon, whose holes are loops as well.
+  /// @param loops corners of each, the body to the left when walking along
+  Surface
+  polygon_surface(const std::string                                &name,
+                  const std::vector<std::vector<dealii::Point<2>>> &loops,
+                  double node_spacing);
+
+
   /// Surface of closed polylines, the body to the left of each facet.
   Surface
   polyline_surface(
@@ -52,6 +60,7 @@ namespace Morsel::Contact
   struct Projection
   {
     double               distance;  ///< signed, > 0 outside [m]
+    double               offset;    ///< signed, to the facet's line [m]
     dealii::Tensor<1, 2> normal;    ///< unit, from the surface to the point
     double               parameter; ///< 0 at first node, 1 at second
     bool                 interior;  ///< the foot lies inside the facet

@@ -5,6 +5,8 @@
 #include <morsel/contact/touches.h>
 #include <morsel/fe/elastic_body.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <memory>
 #include <vector>
 
@@ -29,6 +31,14 @@ namespace Morsel::Jaw
     {}
 
     virtual ~Deformation() = default;
+
+    /// How the body is turned as a whole: what the surface and the drive see
+    /// is R times what the body has in its own frame.
+    void
+    turn(const dealii::Tensor<2, 2> &orientation)
+    {
+      R = orientation;
+    }
 
     /// Adds the displacement of the nodes and their velocities to a surface
     /// that stands where the drive has put it.
@@ -100,12 +110,25 @@ namespace Morsel::Jaw
 
   protected:
     std::unique_ptr<FE::ElasticBody> body;
+    dealii::Tensor<2, 2>             R = dealii::unit_symmetric_tensor<2>();
   };
 
 
-  /// Forces on a surface's nodes in the rows of FE::ElasticBody::trace().
+  /// Forces on a surface's nodes, in the frame of a body turned by R, in the
+  /// rows of FE::ElasticBody::trace().
   Eigen::VectorXd
-  nodal_forces(const Contact::Surface &surface);
+  nodal_forces(
+      const Contact::Surface     &surface,
+      const dealii::Tensor<2, 2> &R = dealii::unit_symmetric_tensor<2>());
+
+  /// A node's entries of such a vector, turned by R.
+  inline dealii::Tensor<1, 2>
+  turned(const dealii::Tensor<2, 2> &R,
+         const Eigen::VectorXd      &v,
+         const unsigned int          node)
+  {
+    return R * dealii::Tensor<1, 2>({v[2 * node], v[2 * node + 1]});
+  }
 } // namespace Morsel::Jaw
 
 #endif

@@ -19,13 +19,12 @@ namespace Morsel::Jaw
     double poissons_ratio     = 0.; ///< [1]
     double fracture_toughness = 0.; ///< K_Ic, of a cracked body [Pa sqrt(m)]
 
-    std::string      mesh_file;            ///< empty: the rectangle
     double           cell_size       = 0.; ///< [m], 0: by rule
     unsigned int     degree          = 1;  ///< of the displacement
-    unsigned int     tip_refinements = 0;
-    std::string      held_sides;       ///< that follow the motion
-    double           tolerance = 0.01; ///< of 'auto' [1]
-    dealii::Point<2> initial_velocity; ///< of a body not held [m/s]
+    unsigned int     tip_refinements = 0;  ///< halvings of cells about tips
+    std::string      held_sides;           ///< that follow the motion
+    double           tolerance = 0.01;     ///< of 'auto' [1]
+    dealii::Point<2> initial_velocity;     ///< of a body not held [m/s]
 
     /// The sections "Deformation" and "Material".
     void

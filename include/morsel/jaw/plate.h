@@ -3,23 +3,28 @@
 
 #include <morsel/contact/surface.h>
 #include <morsel/jaw/deformation.h>
+#include <morsel/jaw/drive.h>
 #include <morsel/scene/scene.h>
 
 #include <memory>
 
 namespace Morsel::Jaw
 {
-  /// A body with a surface that moves as prescribed, rigid or with a
+  /// A body with a surface that moves with its drive, rigid or with a
   /// deformation of its own, and the account of what moving it costs.
   class Plate
   {
   public:
-    /// A rigid rectangle.
-    /// @param node_spacing of the surface [m].
-    Plate(const Scene::PlateBody &body, double node_spacing);
+    /// A rigid rectangle or mesh.
+    /// @param node_spacing of the surface, at most [m].
+    Plate(const Scene::PlateBody &body,
+          std::shared_ptr<Drive>  drive,
+          double                  node_spacing);
 
     /// With the surface of a mesh, rigid as long as no deformation is given.
-    Plate(const Scene::PlateBody &body, const FE::ElasticBody &mesh);
+    Plate(const Scene::PlateBody &body,
+          std::shared_ptr<Drive>  drive,
+          const FE::ElasticBody  &mesh);
 
     void
     set_deformation(std::unique_ptr<Deformation> deformation);
@@ -63,16 +68,24 @@ namespace Morsel::Jaw
         deformation->advance(time_step);
     }
 
-    const dealii::Tensor<1, 2> &
-    displacement() const
+    /// Of the body as a whole, without what it deforms.
+    const Frame &
+    frame() const
     {
-      return moved;
+      return placed;
     }
 
-    const dealii::Tensor<1, 2> &
-    velocity() const
+    /// Of the middle of its box [m], [m/s].
+    dealii::Tensor<1, 2>
+    displacement() const;
+
+    dealii::Tensor<1, 2>
+    velocity() const;
+
+    const std::shared_ptr<Drive> &
+    get_drive() const
     {
-      return speed;
+      return drive;
     }
 
     /// Force of the food on the plate at the last account() [N].
@@ -82,7 +95,8 @@ namespace Morsel::Jaw
       return load;
     }
 
-    /// Work that the drive has done on the plate and the food [J].
+    /// Work that the drive has done on the food and the plate's deformation
+    /// [J].
     double
     work() const
     {
@@ -101,12 +115,15 @@ namespace Morsel::Jaw
     Contact::Surface        surface;
 
   private:
+    std::shared_ptr<Drive>        drive;
     std::unique_ptr<Deformation>  deformation;
     std::vector<dealii::Point<2>> initial_nodes;
     double                        now = 0.;
-    dealii::Tensor<1, 2>          moved, speed, load, push, impulse_given,
-        impulse_to_come, accounted_at, half_step_velocity;
-    double work_done = 0.;
+    Frame                         placed, accounted_at;
+    dealii::Tensor<1, 2>          load, push, impulse_given, impulse_to_come,
+        half_step_velocity;
+    double push_moment = 0.; ///< about the pivot [N m]
+    double work_done   = 0.;
   };
 } // namespace Morsel::Jaw
 

@@ -34,9 +34,9 @@ namespace Morsel::Output
   /// that ParaView opens, rewritten at every moment so that a run that is
   /// killed leaves a readable series.
   ///
-  /// dim is that of the cells: 0 for particles, 2 for plates. The datasets
-  /// are "nodes" (n x 2), "cells", and one per field, of single precision and
-  /// with vectors padded to three components.
+  /// dim is that of the cells: 0 for particles, 1 for lines, 2 for plates. The
+  /// datasets are "nodes" (n x 2), "cells", and one per field, of single
+  /// precision and with vectors padded to three components.
   template <int dim>
   class Frames
   {
@@ -76,13 +76,13 @@ namespace Morsel::Output
   };
 
 
-  /// The state of one rigid rectangular plate.
+  /// The state of one plate as if it were rigid.
   struct PlateState
   {
-    dealii::Point<2>     lower_corner; ///< current [m]
-    dealii::Point<2>     upper_corner; ///< current [m]
-    dealii::Tensor<1, 2> velocity;     ///< [m/s]
-    dealii::Tensor<1, 2> force;        ///< on the plate [N]
+    /// Of its cells now, four each in deal.II's order [m].
+    std::vector<dealii::Point<2>> corners;
+    dealii::Tensor<1, 2>          velocity; ///< [m/s]
+    dealii::Tensor<1, 2>          force;    ///< on the plate [N]
   };
 
 

@@ -79,6 +79,12 @@ namespace Morsel::Scene
   check_tooth_cracks(const PlateBody &body, Findings &findings);
 
 
+  /// Checks what moves the plates, the jaw and its muscles, and which plates
+  /// may meet.
+  void
+  check_drives(const Scene &scene, Findings &findings);
+
+
   /// Checks that a body has particles enough, not too many, and rows that fit.
   void
   check_particles(const ParticleBody &body,
@@ -117,6 +123,11 @@ namespace Morsel::Scene
   /// negative where there is a gap.
   double
   overlap(const Rectangle &a, const Rectangle &b);
+
+  /// Between food and a plate: that of their boxes if both are rectangles,
+  /// else that of their outlines, negative where they overlap [m].
+  double
+  gap_between(const ParticleBody &food, const PlateBody &plate);
 } // namespace Morsel::Scene
 
 #endif

@@ -22,6 +22,7 @@ namespace Morsel::Scene
     std::vector<NamedBody>   bodies;
     std::vector<std::string> conditions;
     std::vector<std::string> observers;
+    std::vector<std::string> muscles;
   };
 
 

@@ -1,6 +1,8 @@
 #ifndef morsel_scene_mesh_h
 #define morsel_scene_mesh_h
 
+#include <morsel/scene/outline.h>
+
 #include <deal.II/grid/tria.h>
 
 #include <map>
@@ -20,6 +22,13 @@ namespace Morsel::Scene
   /// @throws InputError as above
   std::map<std::string, unsigned int>
   sides_of_mesh(const std::string &file);
+
+
+  /// The outline of a mesh wherever it has been moved to, see
+  /// outline_of_mesh().
+  /// @param file it was read from, for the names of its sides
+  Outline
+  outline_of(const dealii::Triangulation<2> &mesh, const std::string &file);
 } // namespace Morsel::Scene
 
 #endif

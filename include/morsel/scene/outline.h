@@ -117,6 +117,20 @@ namespace Morsel::Scene
   /// @throws InputError, one sentence, if it is no mesh of the plane
   Outline
   outline_of_mesh(const std::string &file);
+
+
+  /// How two outlines stand to each other.
+  struct Separation
+  {
+    /// Shortest distance, or, if the bodies overlap, less the distance to the
+    /// other boundary of what lies deepest inside of it [m].
+    double           gap;
+    dealii::Point<2> where; ///< there, on one of the outlines [m]
+  };
+
+  /// Looks at points all along both outlines, some hundreds of each.
+  Separation
+  separation(const Outline &a, const Outline &b);
 } // namespace Morsel::Scene
 
 #endif

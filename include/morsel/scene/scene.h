@@ -3,12 +3,14 @@
 
 #include <morsel/contact/parameters.h>
 #include <morsel/fracture/parameters.h>
+#include <morsel/jaw/hinge_parameters.h>
 #include <morsel/jaw/motion.h>
 #include <morsel/jaw/parameters.h>
 #include <morsel/materials/grains.h>
 #include <morsel/materials/parameters.h>
 #include <morsel/scene/body_shape.h>
 #include <morsel/scene/conditions.h>
+#include <morsel/scene/plate_shape.h>
 #include <morsel/scene/rectangle.h>
 #include <morsel/sph/parameters.h>
 
@@ -87,12 +89,12 @@ namespace Morsel::Scene
   };
 
 
-  /// A body that moves as told: a plate, rigid or, where its deformation is
-  /// elastic, held at some of its sides.
+  /// A body that its drive moves: a plate or tooth, rigid or, where its
+  /// deformation is elastic, held at some of its sides.
   struct PlateBody
   {
     std::string           name;
-    Rectangle             shape;
+    PlateShape            shape;
     double                node_spacing = 0.; ///< of its surface [m], 0 = dp/2
     Jaw::MotionParameters motion;
     Jaw::DeformationParameters deformation;
@@ -108,6 +110,13 @@ namespace Morsel::Scene
   {
     std::string food;
     std::string plate;
+  };
+
+
+  /// Two bodies of the same kind that may meet: plates, or particle bodies.
+  struct PairOfAKind
+  {
+    std::string first, second;
   };
 
 
@@ -170,21 +179,24 @@ namespace Morsel::Scene
   /// Everything that one run is about. Constant once read.
   struct Scene
   {
-    std::string                name;
-    std::string                title;
-    double                     depth = 1.; ///< out of plane [m]
-    unsigned int               seed  = 1;
-    Rectangle                  domain;
-    std::vector<ParticleBody>  particle_bodies;
-    std::vector<PlateBody>     plate_bodies;
-    std::vector<ContactPair>   contact_pairs;
-    std::vector<Condition>     conditions;
-    std::vector<Observer>      observers;
-    Contact::ContactParameters contact;
-    TimeParameters             time;
-    StopParameters             stop;
-    OutputParameters           output;
-    MeasureParameters          measures;
+    std::string                        name;
+    std::string                        title;
+    double                             depth = 1.; ///< out of plane [m]
+    unsigned int                       seed  = 1;
+    Rectangle                          domain;
+    std::vector<ParticleBody>          particle_bodies;
+    std::vector<PlateBody>             plate_bodies;
+    std::vector<ContactPair>           contact_pairs;
+    std::vector<PairOfAKind>           plate_pairs, food_pairs;
+    Jaw::HingeParameters               jaw;
+    std::vector<Jaw::MuscleParameters> muscles;
+    std::vector<Condition>             conditions;
+    std::vector<Observer>              observers;
+    Contact::ContactParameters         contact;
+    TimeParameters                     time;
+    StopParameters                     stop;
+    OutputParameters                   output;
+    MeasureParameters                  measures;
 
     /// The complete parameters as a scene file that reproduces the run, with
     /// the catalogue's values written out: the content of used.prm.
