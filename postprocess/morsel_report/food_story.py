@@ -1,5 +1,5 @@
 """What the page tells of food between plates."""
-from . import curves, food, style, teeth, tooth_cracks
+from . import curves, drives, food, style, teeth, tooth_cracks
 from .tables import warnings_of
 
 # Of measured fracture patterns; dust at random stays below.
@@ -40,6 +40,13 @@ FIGURES = [
      "size.", False),
     ("failed_share", curves.failed_share,
      "How much of the food has failed altogether.", False),
+    ("closing", drives.closing,
+     "Force, and the speed at which the tooth closes along the direction of "
+     "closing: hard food slows a jaw or a driven mass, its break sets it "
+     "free.", False),
+    ("muscles", drives.muscles,
+     "The moment of the muscles about the condyle, which falls as they "
+     "shorten faster, and where their work goes.", False),
     ("energy", curves.energy_ledger,
      "Where the work of the plates goes: blue and green is stored, warm "
      "colours are spent. What separates the stack from the black line is the "
@@ -51,6 +58,7 @@ SECTIONS = [
     ("The pieces", ["fragments", "fragment_sizes", "fragment_distribution",
                     "failed_share"]),
     ("Force and stress", ["force", "stress_strain", "tractions"]),
+    ("What moves the teeth", ["closing", "muscles"]),
     ("Cracks in the teeth", ["tooth_cracks", "open_cracks"]),
     ("The energy ledger", ["energy"]),
 ]

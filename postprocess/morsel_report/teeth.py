@@ -8,7 +8,7 @@ from .curves import PLATE_COLOURS, plate_label
 from .reader import read_table
 
 # Arrows are at most this share of the view's height.
-LONGEST_ARROW = 0.22
+LONGEST_ARROW = 0.18
 
 
 def edges_of(nodes, cells):
@@ -63,11 +63,11 @@ def with_teeth(run, view):
         return view
     nodes = 1e3 * run.surfaces[0].points()
     size = view[1] - view[0]
-    grown = np.array([0.05, LONGEST_ARROW]) * size
+    grown = np.array([0.05, LONGEST_ARROW + 0.04]) * size
     lower = np.maximum(view[0] - grown, nodes.min(axis=0) - 0.05 * size)
     upper = np.minimum(view[1] + grown, nodes.max(axis=0) + 0.05 * size)
     # The arrows have their room even where there is only a thin plate.
-    room = np.array([0.0, 0.8 * LONGEST_ARROW]) * size
+    room = np.array([0.0, LONGEST_ARROW]) * size
     return (np.minimum(np.minimum(lower, view[0]), view[0] - room),
             np.maximum(np.maximum(upper, view[1]), view[1] + room))
 

@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_body_has_its_meshs_boundary)
       body.name                = "tooth";
       body.shape               = shape_of(file, 30., {0.1, 0.2});
       const double     spacing = 0.003 * body.shape.extent(0);
-      const Jaw::Plate plate(body, spacing);
+      const Jaw::Plate plate(body, nullptr, spacing);
       const auto      &surface = plate.surface;
       double           area = 0., length = 0.;
       for (const auto &[first, second] : surface.facets)
@@ -251,6 +251,24 @@ BOOST_AUTO_TEST_CASE(bodies_are_told_apart_by_their_outlines)
 }
 
 
+BOOST_AUTO_TEST_CASE(a_mandible_is_below_what_lies_on_its_molar)
+{
+  // Its condyle stands above the food, which lies on the molar.
+  const auto             mandible = shape_of("mandible.msh", 0., {0., 0.});
+  const Scene::Rectangle food{{0.057, -0.035}, {0.063, -0.03}};
+  BOOST_TEST(mandible.upper_corner[1] > 0.004);
+  const auto part = mandible.box_before(1, food);
+  BOOST_TEST(part.upper_corner[1] == -0.035,
+             boost::test_tools::tolerance(0.01));
+  BOOST_TEST(part.lower_corner[1] < -0.06);
+  BOOST_TEST(part.lower_corner[0] == 0.057);
+  // Nothing stands before food in front of the chin.
+  const Scene::Rectangle apart{{0.1, -0.035}, {0.11, -0.03}};
+  BOOST_TEST(mandible.box_before(1, apart).upper_corner[1] ==
+             mandible.upper_corner[1]);
+}
+
+
 BOOST_AUTO_TEST_CASE(tractions_have_the_sum_of_the_forces)
 {
   const double dp = 1e-4, depth = 0.01;
@@ -259,7 +277,7 @@ BOOST_AUTO_TEST_CASE(tractions_have_the_sum_of_the_forces)
       Scene::PlateBody body;
       body.name            = "tooth";
       body.shape           = shape_of("cusp.msh", 180., {0., 0.});
-      auto         surface = Jaw::Plate(body, spacing).surface;
+      auto         surface = Jaw::Plate(body, nullptr, spacing).surface;
       Tensor<1, 2> total;
       for (unsigned int k = 0; k < surface.nodes.size(); ++k)
         if (std::abs(surface.nodes[k][0]) < 2e-3 && k % 3 > 0)
