@@ -154,7 +154,7 @@ namespace Morsel
     properties.degree         = given.degree;
     properties.held           = held_ids(plate);
 
-    const FE::ElasticBodyCracks cracks = cracks_of(plate, *mesh);
+    const FE::ElasticBodyCracks cracks = cracks_of(plate);
     for (const auto &tip : Fracture::collect_tips(cracks.cracks))
       FE::refine_towards(
           *mesh, tip.position, given.tip_refinements, refined_layers);

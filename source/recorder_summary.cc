@@ -95,6 +95,11 @@ namespace Morsel
         {"elastic solid (" + body.material.law + ")", true, where + "Kind"});
     effects.push_back(
         {"cracks", !body.cracks.paths.empty(), where + "Cracks/Paths"});
+    for (const auto &plate : scene.plate_bodies)
+      if (!plate.cracks.paths.empty())
+        effects.push_back({"cracks in " + plate.name,
+                           true,
+                           "Body " + plate.name + "/Cracks/Paths"});
     effects.push_back({"hourglass control",
                        body.solid.hourglass > 0.,
                        where + "Solid/Hourglass coefficient"});

@@ -1,42 +1,24 @@
 #include "tooth_cracks.h"
 
 #include <morsel/core/errors.h>
-#include <morsel/fe/polygon.h>
 #include <morsel/fracture/crack_paths.h>
 
 namespace Morsel
 {
-  namespace
-  {
-    /// Inside of the mesh's boundary, negative outside [m].
-    double
-    depth_inside(const dealii::Triangulation<2> &mesh,
-                 const dealii::Point<2>         &p)
-    {
-      bool inside = false;
-      for (const auto &cell : mesh.active_cell_iterators())
-        inside =
-            inside ||
-            (p.distance(cell->center()) < cell->diameter() &&
-             FE::distance_to_polygon(p, FE::make_map(cell).polygon()) == 0.);
-      return (inside ? 1. : -1.) * FE::distance_to_boundary(mesh, p);
-    }
-  } // namespace
-
-
   FE::ElasticBodyCracks
-  cracks_of(const Scene::PlateBody &plate, const dealii::Triangulation<2> &mesh)
+  cracks_of(const Scene::PlateBody &plate)
   {
     FE::ElasticBodyCracks result;
     if (plate.cracks.paths.empty())
       return result;
-    const std::string entry = "Body " + plate.name + "/Cracks/Paths";
+    const std::string    entry   = "Body " + plate.name + "/Cracks/Paths";
+    const Scene::Outline outline = plate.shape.outline();
+    const auto           depth   = [&](const dealii::Point<2> &p) {
+      return (outline.contains(p) ? 1. : -1.) * outline.distance(p);
+    };
     const auto paths = Fracture::read_crack_paths(plate.cracks.paths, entry);
     result.cracks    = Fracture::cracks_in(
-        {"body '" + plate.name + "'",
-            plate.shape.lower_corner,
-            plate.shape.upper_corner,
-            [&](const dealii::Point<2> &p) { return depth_inside(mesh, p); }},
+        {"body '" + plate.name + "'", outline.lower(), outline.upper(), depth},
         paths,
         entry);
     for (unsigned int c = 0; c < paths.size(); ++c)

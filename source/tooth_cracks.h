@@ -7,12 +7,10 @@
 namespace Morsel
 {
   /// The cracks that the scene gives to an elastic body.
-  /// @param mesh of the body, before it is refined
   /// @throws InputError naming the entry for cracks outside or along its
   ///   boundary, from boundary to boundary, of no length, or touching
   FE::ElasticBodyCracks
-  cracks_of(const Scene::PlateBody         &plate,
-            const dealii::Triangulation<2> &mesh);
+  cracks_of(const Scene::PlateBody &plate);
 } // namespace Morsel
 
 #endif

@@ -24,7 +24,27 @@ def edges_of(nodes, cells):
             key = tuple(sorted((tuple(places[one]), tuple(places[two]))))
             if key[0] != key[1]:
                 seen.setdefault(key, []).append(corners[[one, two]])
-    return np.array([e[0] for e in seen.values() if len(e) == 1])
+    single = np.array([e[0] for e in seen.values() if len(e) == 1])
+    return single[~divided(single)] if len(single) else single
+
+
+def divided(edges):
+    """Which edges are those of a cell and of smaller ones beside it, which
+    share it in parts: they lie inside."""
+    start, along = edges[:, 0], edges[:, 1] - edges[:, 0]
+    length = np.hypot(along[:, 0], along[:, 1])
+    inside = np.zeros(len(edges), bool)
+    for i in range(len(edges)):
+        way = edges - start[i]
+        place = way @ along[i] / length[i] ** 2
+        off = (way[..., 0] * along[i, 1] - way[..., 1] * along[i, 0]
+               ) / length[i] ** 2
+        parts = ((np.abs(off) < 1e-3) & (np.abs(place - 0.5) < 0.501)
+                 ).all(axis=1) & (length < 0.95 * length[i])
+        if abs(np.sum(length[parts]) / length[i] - 1.0) < 0.01:
+            inside[i] = True
+            inside |= parts
+    return inside
 
 
 def draw(axes, nodes, cells, colours):

@@ -79,7 +79,7 @@ namespace Morsel::FE
     Point<2>
     moved_inwards(const std::vector<Point<2>> &corners, const unsigned int k)
     {
-      constexpr double share = 1e-3;
+      constexpr double share = 1e-6;
       Tensor<1, 2>     middle;
       for (unsigned int i = 0; i < 4; ++i)
         middle += 0.25 * corners[k - k % 4 + i];

@@ -20,7 +20,7 @@ import numpy as np
 
 import report
 import synthetic
-from morsel_report import food, reader, style, teeth
+from morsel_report import food, reader, style, teeth, tooth_cracks
 
 
 class ReportTest(unittest.TestCase):
@@ -87,6 +87,10 @@ class ReportTest(unittest.TestCase):
         cells = np.arange(12).reshape(3, 4)
         self.assertEqual(len(teeth.edges_of(nodes, cells[:2])), 6)
         self.assertEqual(len(teeth.edges_of(nodes, cells)), 7)
+        # A cell beside two of half its size: three and three sides, and two.
+        half = 1e-3 * np.array([[-0.5, 0], [0, 0], [0, 0.5], [-0.5, 0.5]])
+        nodes = np.concatenate([nodes[:4], half, half + [0, 5e-4]])
+        self.assertEqual(len(teeth.edges_of(nodes, cells)), 3 + 2 * 2 + 0)
 
     def test_forces_on_teeth(self):
         synthetic.write_run(self.folder, across=11)
@@ -108,6 +112,48 @@ class ReportTest(unittest.TestCase):
         self.assertAlmostEqual(centre[0], 0.4 * 0.002 + 0.6 * 0.007)
         self.report()
         self.assertIn("tractions", self.figures())
+
+    def test_cracked_teeth(self):
+        synthetic.write_run(self.folder, across=11)
+        file = self.folder / "history.csv"
+        lines = file.read_text(encoding="utf-8").splitlines()
+        names = [f"stress_intensity_{mode}_lower_plate{tip} [Pa sqrt(m)]"
+                 for tip in ("", "_tip1") for mode in ("I", "II")]
+        rows = [",".join([lines[0]] + names)]
+        for i, line in enumerate(lines[1:]):
+            rows.append(f"{line},{2e3 * i},{1e2 * i},{-1e3 * i},0")
+        file.write_text("\n".join(rows) + "\n", encoding="utf-8")
+        file = self.folder / "summary.json"
+        summary = json.loads(file.read_text(encoding="utf-8"))
+        for tip in ("", "_tip1"):
+            for name, value in (
+                    ("fracture_toughness", 1e6),
+                    ("largest_equivalent_stress_intensity", 1.2e6),
+                    ("time_of_largest_equivalent_stress_intensity", 0.02),
+                    ("crack_would_grow", 0.0 if tip else 1.0)):
+                summary[f"{name}_lower_plate{tip}"] = {
+                    "value": value, "unit": "1", "meaning": ""}
+        for name, value in (("time_of", 0.017), ("force_at", 9.0)):
+            summary[f"{name}_crack_growth_lower_plate"] = {
+                "value": value, "unit": "1", "meaning": ""}
+        file.write_text(json.dumps(summary), encoding="utf-8")
+        # One cell in two pieces, apart.
+        nodes = [[0.0, -0.001], [0.004, -0.001], [0.004, 0.0], [0.0, 0.0],
+                 [0.004, -0.001], [0.01, -0.001], [0.01, 0.0], [0.004, 0.0]]
+        synthetic.write_frames(
+            self.folder / "solution", "elastic_plates", "Quadrilateral",
+            [(0.0, {"nodes": nodes, "cells": [[0, 1, 2, 3], [4, 5, 6, 7]],
+                    "plate": [0.0] * 8, "von_mises": [1e3] * 8,
+                    "displacement": [[-1e-6, 0, 0]] * 4
+                    + [[1e-6, 0, 0]] * 4})])
+        run = reader.Run(self.folder)
+        self.assertEqual(tooth_cracks.tips(run),
+                         ["lower_plate", "lower_plate_tip1"])
+        self.assertEqual(tooth_cracks.label(run, "lower_plate_tip1"),
+                         "lower plate, tip 1")
+        page = self.report()
+        self.assertIn("would grow from a force of 9\u202fN on", page)
+        self.assertLessEqual({"tooth_cracks", "open_cracks"}, self.figures())
 
     def test_scene_without_damage(self):
         synthetic.write_fields(self.folder, across=11, fields=False)

@@ -21,10 +21,10 @@ namespace Morsel::Jaw
 
     double           cell_size       = 0.; ///< [m], 0: by rule
     unsigned int     degree          = 1;  ///< of the displacement
-    unsigned int     tip_refinements = 0;
-    std::string      held_sides;       ///< that follow the motion
-    double           tolerance = 0.01; ///< of 'auto' [1]
-    dealii::Point<2> initial_velocity; ///< of a body not held [m/s]
+    unsigned int     tip_refinements = 0;  ///< halvings of cells about tips
+    std::string      held_sides;           ///< that follow the motion
+    double           tolerance = 0.01;     ///< of 'auto' [1]
+    dealii::Point<2> initial_velocity;     ///< of a body not held [m/s]
 
     /// The sections "Deformation" and "Material".
     void

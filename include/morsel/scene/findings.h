@@ -73,16 +73,16 @@ namespace Morsel::Scene
   check_elastic(const PlateBody &body, const Scene &scene, Findings &findings);
 
 
-  /// Checks what moves the plates, the jaw and its muscles, and which plates
-  /// may meet.
-  void
-  check_drives(const Scene &scene, Findings &findings);
-
-
   /// Checks what the cracks of a plate need: a body that deforms, and a
   /// toughness.
   void
   check_tooth_cracks(const PlateBody &body, Findings &findings);
+
+
+  /// Checks what moves the plates, the jaw and its muscles, and which plates
+  /// may meet.
+  void
+  check_drives(const Scene &scene, Findings &findings);
 
 
   /// Checks that a body has particles enough, not too many, and rows that fit.
