@@ -1,5 +1,6 @@
 #include "breaking_recorder.h"
 #include "experiment_recorder.h"
+#include "run_summary.h"
 #include "tip_summary.h"
 
 #include <morsel/sph/body_cracks.h>

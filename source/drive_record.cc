@@ -1,21 +1,11 @@
 #include "drive_record.h"
+#include "run_summary.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace Morsel
 {
-  namespace
-  {
-    std::string
-    underscored(std::string name)
-    {
-      std::replace(name.begin(), name.end(), ' ', '_');
-      return name;
-    }
-  } // namespace
-
-
   DriveRecord::DriveRecord(const Bite &bite)
       : bite(bite)
   {

@@ -1,4 +1,5 @@
 #include "experiment_recorder.h"
+#include "run_summary.h"
 #include "tip_summary.h"
 
 #include <morsel/core/errors.h>

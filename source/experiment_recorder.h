@@ -114,11 +114,6 @@ namespace Morsel
   };
 
 
-  /// A name for columns and results: what is no letter or digit becomes '_'.
-  std::string
-  underscored(std::string name);
-
-
   /// Displacement [m] and stress [Pa] at an observed point, with what is
   /// expected of them.
   void

@@ -44,16 +44,6 @@ namespace Morsel
   } // namespace
 
 
-  std::string
-  underscored(std::string name)
-  {
-    for (char &c : name)
-      if (!std::isalnum(static_cast<unsigned char>(c)))
-        c = '_';
-    return name;
-  }
-
-
   void
   ExperimentRecorder::summarise_velocity_gradients()
   {

@@ -1,5 +1,6 @@
 #include "recorder.h"
 #include "breaking_recorder.h"
+#include "run_summary.h"
 
 #include <morsel/core/errors.h>
 #include <morsel/scene/complete.h>
@@ -24,14 +25,6 @@ namespace Morsel
       const auto &p = solid.get_particles();
       return 1e-7 * solid.get_material().youngs_modulus * p.spacing *
              p.spacing * p.depth * solid.get_host().n_global();
-    }
-
-
-    std::string
-    underscored(std::string name)
-    {
-      std::replace(name.begin(), name.end(), ' ', '_');
-      return name;
     }
 
 

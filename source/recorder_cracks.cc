@@ -1,5 +1,5 @@
 #include "recorder_cracks.h"
-
+#include "run_summary.h"
 #include "tip_summary.h"
 
 #include <morsel/core/suggestions.h>
@@ -29,7 +29,7 @@ namespace Morsel
           continue;
         const auto &cracks = *deformation->get_body().cracks();
         Body        body{p, plates[p].body.name, {}};
-        std::replace(body.name.begin(), body.name.end(), ' ', '_');
+        body.name = underscored(body.name);
         for (const std::string &suffix : tip_suffixes(cracks.get_tips()))
           {
             Tip tip;

@@ -1,4 +1,5 @@
 #include "recorder.h"
+#include "run_summary.h"
 
 #include <algorithm>
 
@@ -62,8 +63,7 @@ namespace Morsel
     const auto &plates = bite.get_plates();
     for (unsigned int p = 0; p < plates.size(); ++p)
       {
-        std::string name = plates[p].body.name;
-        std::replace(name.begin(), name.end(), ' ', '_');
+        const std::string name = underscored(plates[p].body.name);
         summary.add("peak_tangential_force_" + name,
                     stroke.peak_tangential_force(p),
                     "N",

@@ -140,8 +140,7 @@ namespace Morsel
       {
         peak       = std::max(peak, stroke.peak_force(p));
         tangential = std::max(tangential, stroke.peak_tangential_force(p));
-        std::string name = plates[p].body.name;
-        std::replace(name.begin(), name.end(), ' ', '_');
+        const std::string name = underscored(plates[p].body.name);
         summary.add("peak_occlusal_force_" + name,
                     stroke.peak_force(p),
                     "N",

@@ -1,4 +1,5 @@
 #include "recorder.h"
+#include "run_summary.h"
 
 #include <algorithm>
 
@@ -101,8 +102,7 @@ namespace Morsel
         const auto load = Contact::load_on(surface, tractions.back());
         if (load.peak_pressure == 0.)
           continue;
-        std::string name = surface.name;
-        std::replace(name.begin(), name.end(), ' ', '_');
+        const std::string name = underscored(surface.name);
         const std::string when = " at the peak of the mean force";
         summary.add("peak_pressure_" + name,
                     load.peak_pressure,

@@ -8,6 +8,16 @@
 
 namespace Morsel
 {
+  std::string
+  underscored(std::string name)
+  {
+    for (char &c : name)
+      if (!std::isalnum(static_cast<unsigned char>(c)))
+        c = '_';
+    return name;
+  }
+
+
   void
   add_loop_costs(Output::Summary &summary, const LoopCosts &costs)
   {

@@ -11,6 +11,11 @@
 
 namespace Morsel
 {
+  /// A name for columns and results: what is no letter or digit becomes '_'.
+  std::string
+  underscored(std::string name);
+
+
   /// How far a time loop went and what it took.
   struct LoopCosts
   {

@@ -1,4 +1,5 @@
 #include "tip_summary.h"
+#include "run_summary.h"
 
 #include "experiment_recorder.h"
 
