@@ -127,6 +127,9 @@ namespace Morsel::Scene
     void
     pair_all(Scene &scene)
     {
+      // Without plates bodies know nothing of each other.
+      if (scene.plate_bodies.empty())
+        return;
       for (const ParticleBody &food : scene.particle_bodies)
         for (const PlateBody &plate : scene.plate_bodies)
           scene.contact_pairs.push_back({food.name, plate.name});

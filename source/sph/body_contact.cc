@@ -1,5 +1,7 @@
 #include <morsel/sph/body_contact.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -70,11 +72,14 @@ namespace Morsel::SPH
     pairs.clear();
     const double far = reach + margin;
     grid.build(searched_b, far);
+    dealii::BoundingBox<2> box(searched_b);
+    box.extend(far);
     for (unsigned int i = 0; i < searched_a.size(); ++i)
-      grid.for_each_near(searched_a[i], [&](const unsigned int j) {
-        if (searched_a[i].distance_square(searched_b[j]) < far * far)
-          pairs.push_back({i, j, reach});
-      });
+      if (box.point_inside(searched_a[i]))
+        grid.for_each_near(searched_a[i], [&](const unsigned int j) {
+          if (searched_a[i].distance_square(searched_b[j]) < far * far)
+            pairs.push_back({i, j, reach});
+        });
     for (const auto &close : closer_at_first)
       for (auto &pair : pairs)
         if (pair.i == close.i && pair.j == close.j)
