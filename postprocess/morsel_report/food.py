@@ -188,6 +188,8 @@ def moments(run):
     for axes, (title, frame) in zip(grid[0], chosen):
         axes.set_title(caption(run, title, frame), fontsize=9.5)
     scale_bar(grid[-1][0], view)
+    # With axes of a fixed aspect the layout settles at the second pass.
+    figure.draw_without_rendering()
     return figure
 
 
