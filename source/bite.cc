@@ -12,18 +12,6 @@ namespace Morsel
 {
   namespace
   {
-    template <typename Bodies>
-    unsigned int
-    index_of(const Bodies &bodies, const std::string &name)
-    {
-      for (unsigned int k = 0; k < bodies.size(); ++k)
-        if (bodies[k].name == name)
-          return k;
-      AssertThrow(false, dealii::ExcInternalError());
-      return 0;
-    }
-
-
     /// Loaded faces are looked for again after this many steps.
     constexpr unsigned int steps_between_face_marks = 20;
   } // namespace
@@ -73,6 +61,13 @@ namespace Morsel
             stiffness += two.contact->stiffness();
         smallest = std::min(smallest, solids[s]->stable_time_step(stiffness));
       }
+    for (const auto &meeting : meetings)
+      if (const double square = plate_frequencies[meeting.first] +
+                                plate_frequencies[meeting.second];
+          square > 0.)
+        smallest = std::min(smallest,
+                            scene.particle_bodies.front().solid.cfl * 2. /
+                                std::sqrt(square));
     return smallest;
   }
 
@@ -103,24 +98,6 @@ namespace Morsel
       }
     plate_frequencies.assign(plates.size(), 0.);
     responses.assign(plates.size(), "rigid");
-  }
-
-
-  void
-  Bite::make_pairs()
-  {
-    for (const auto &pair : scene.contact_pairs)
-      {
-        const unsigned int s = index_of(scene.particle_bodies, pair.food);
-        const unsigned int p = index_of(scene.plate_bodies, pair.plate);
-        pairs.push_back({s,
-                         p,
-                         Contact::make_plate_contact(
-                             scene.contact,
-                             solids[s]->contact_side(),
-                             solids[s]->get_edges(),
-                             scene.plate_bodies[p].deformation.elastic)});
-      }
   }
 
 
@@ -172,29 +149,6 @@ namespace Morsel
       drive->account(kick);
     if (steps % steps_between_face_marks == 0)
       mark_loaded_faces();
-  }
-
-
-  void
-  Bite::touch()
-  {
-    for (auto &meeting : meetings)
-      meet(meeting);
-    for (unsigned int p = 0; p < plates.size(); ++p)
-      if (plates[p].settles())
-        settle(p);
-    for (auto &pair : pairs)
-      solids[pair.solid]->apply_forces(plates[pair.plate].settles()
-                                           ? pair.contact->last_forces()
-                                           : press(pair));
-    for (auto &two : neighbours)
-      {
-        two.contact->compute(dt);
-        solids[two.first]->apply_forces(two.contact->forces_on_first());
-        solids[two.second]->apply_forces(two.contact->forces_on_second());
-      }
-    for (unsigned int s = 0; s < conditions.size(); ++s)
-      conditions[s].apply(*solids[s], now, dt);
   }
 
 

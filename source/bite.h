@@ -141,8 +141,9 @@ namespace Morsel
     {
       unsigned int                           first, second;
       std::unique_ptr<Contact::PlateContact> contact;
-      std::vector<dealii::Point<2>>          places; ///< of nodes at first
-      std::vector<Motion>                    motion; ///< of nodes
+      double                                 foundation; ///< springs [N/m^2]
+      std::vector<dealii::Point<2>>          places;     ///< of nodes at first
+      std::vector<Motion>                    motion;     ///< of nodes
     };
 
     /// Two particle bodies.
@@ -170,6 +171,10 @@ namespace Morsel
     /// Limits the step by drives whose mass the food pushes.
     void
     limit_step_by_drives();
+
+    void
+    limit_step_by_meetings(
+        const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic);
 
     void
     meet(Meeting &meeting);

@@ -58,6 +58,7 @@ namespace Morsel
                          pair.contact->stiffness() /
                              solids[pair.solid]->contact_side().spacing,
                          plates[pair.plate].surface.tributary));
+    limit_step_by_meetings(elastic);
     const double stable = stable_time_step();
     if (scene.time.time_step == 0.)
       dt = stable;

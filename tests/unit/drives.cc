@@ -324,6 +324,50 @@ BOOST_AUTO_TEST_CASE(plates_stop_each_other)
 }
 
 
+BOOST_AUTO_TEST_CASE(elastic_bars_swap_their_velocities)
+{
+  // Two free bars of finite elements: the one that flies stops, the other
+  // takes all of its velocity (two passages of the wave).
+  Scene::Scene     scene = SPH::scene_of_block(4, 4, 5e-4, 0.);
+  Scene::PlateBody flies;
+  flies.name                         = "flies";
+  flies.shape.lower_corner           = {0.1, 0.};
+  flies.shape.upper_corner           = {0.12, 0.002};
+  flies.deformation.elastic          = true;
+  flies.deformation.response         = "dynamic";
+  flies.deformation.cell_size        = 5e-4;
+  flies.deformation.density          = 1000.;
+  flies.deformation.youngs_modulus   = 1e7;
+  flies.deformation.initial_velocity = {0.1, 0.};
+  Scene::PlateBody waits             = flies;
+  waits.name                         = "waits";
+  waits.shape.lower_corner           = {0.12, 0.};
+  waits.shape.upper_corner           = {0.14, 0.002};
+  waits.deformation.initial_velocity = {0., 0.};
+  scene.plate_bodies                 = {flies, waits};
+  scene.plate_pairs                  = {{"flies", "waits"}};
+  scene.contact.friction             = 0.;
+  RunLog log("", true, false);
+  Bite   bite(scene, MPI_COMM_SELF, log);
+  bite.evaluate();
+  const auto            before = bite.momentum();
+  Measure::EnergyLedger ledger(bite.energies());
+  while (bite.time() < 8e-4)
+    {
+      bite.advance();
+      bite.evaluate();
+      ledger.record(bite.energies(), 1.);
+    }
+  const auto of = [&](const unsigned int p) {
+    return bite.get_plates()[p].get_deformation()->momentum()[0];
+  };
+  BOOST_TEST((bite.momentum() - before).norm() < 1e-12 * before.norm());
+  BOOST_TEST(ledger.largest_error() < 0.01);
+  BOOST_TEST(std::abs(of(0)) < 0.03 * before[0]);
+  BOOST_TEST(of(1) == before[0], tt::tolerance(0.03));
+}
+
+
 BOOST_AUTO_TEST_CASE(bodies_of_particles_push_each_other)
 {
   // Two blocks of different spacing side by side, one flies into the other:

@@ -1,47 +1,75 @@
 #include "bite.h"
 
+#include <morsel/jaw/dynamic_deformation.h>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace Morsel
 {
   namespace
   {
-    /// lambda + 2 mu of an elastic plate [Pa], 0 for a rigid one.
+    /// lambda + 2 mu of an elastic plate [Pa]; a rigid one is beyond measure.
     double
     p_wave_modulus(const Scene::PlateBody &plate)
     {
       const auto &d = plate.deformation;
       if (!d.elastic)
-        return 0.;
+        return std::numeric_limits<double>::infinity();
       const double nu = d.poissons_ratio;
       return d.youngs_modulus * (1. - nu) / ((1. + nu) * (1. - 2. * nu));
+    }
+
+
+    template <typename Bodies>
+    unsigned int
+    index_of(const Bodies &bodies, const std::string &name)
+    {
+      for (unsigned int k = 0; k < bodies.size(); ++k)
+        if (bodies[k].name == name)
+          return k;
+      AssertThrow(false, dealii::ExcInternalError());
+      return 0;
     }
   } // namespace
 
 
   void
+  Bite::make_pairs()
+  {
+    for (const auto &pair : scene.contact_pairs)
+      {
+        const unsigned int s = index_of(scene.particle_bodies, pair.food);
+        const unsigned int p = index_of(scene.plate_bodies, pair.plate);
+        // The softer one says how stiff their contact is.
+        ParticleSide side   = solids[s]->contact_side();
+        side.p_wave_modulus = std::min(side.p_wave_modulus,
+                                       p_wave_modulus(scene.plate_bodies[p]));
+        pairs.push_back({s,
+                         p,
+                         Contact::make_plate_contact(
+                             scene.contact,
+                             side,
+                             solids[s]->get_edges(),
+                             scene.plate_bodies[p].deformation.elastic)});
+      }
+  }
+
+
+  void
   Bite::make_meetings()
   {
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
-      return; // forces on plates are sums over ranks
-    const auto place = [this](const std::string &name) {
-      unsigned int p = 0;
-      while (scene.plate_bodies[p].name != name)
-        ++p;
-      return p;
-    };
     for (const auto &pair : scene.plate_pairs)
       {
-        const unsigned int first     = place(pair.first);
-        const unsigned int second    = place(pair.second);
-        const double       moduli[2] = {p_wave_modulus(plates[first].body),
-                                        p_wave_modulus(plates[second].body)};
-        ParticleSide       side      = solids.front()->contact_side();
-        // The softer one yields; rigid ones take the food's stiffness.
-        if (const double larger = std::max(moduli[0], moduli[1]); larger > 0.)
-          side.p_wave_modulus = moduli[0] > 0. && moduli[1] > 0.
-                                    ? std::min(moduli[0], moduli[1])
-                                    : larger;
+        const unsigned int first  = index_of(scene.plate_bodies, pair.first);
+        const unsigned int second = index_of(scene.plate_bodies, pair.second);
+        ParticleSide       side   = solids.front()->contact_side();
+        // The softer one yields; where both are rigid as much as the food.
+        const double softer = std::min(p_wave_modulus(plates[first].body),
+                                       p_wave_modulus(plates[second].body));
+        if (std::isfinite(softer))
+          side.p_wave_modulus = softer;
         const auto   &surface = plates[first].surface;
         ParticleEdges edges;
         edges.distance.assign(surface.nodes.size(), 0.);
@@ -53,6 +81,8 @@ namespace Morsel
              second,
              Contact::make_plate_contact(
                  law, side, edges, plates[second].body.deformation.elastic),
+             scene.contact.stiffness * side.p_wave_modulus * side.depth /
+                 side.spacing,
              surface.nodes,
              {}});
       }
@@ -62,16 +92,11 @@ namespace Morsel
   void
   Bite::make_neighbours()
   {
-    const auto place = [this](const std::string &name) {
-      unsigned int s = 0;
-      while (scene.particle_bodies[s].name != name)
-        ++s;
-      return s;
-    };
     for (const auto &pair : scene.food_pairs)
       {
-        const unsigned int first  = place(pair.first),
-                           second = place(pair.second);
+        const unsigned int first = index_of(scene.particle_bodies, pair.first),
+                           second =
+                               index_of(scene.particle_bodies, pair.second);
         const double softer =
             std::min(solids[first]->get_material().p_wave_modulus,
                      solids[second]->get_material().p_wave_modulus);
@@ -84,6 +109,31 @@ namespace Morsel
                                                     softer * scene.depth,
                                                 scene.contact.friction)});
       }
+  }
+
+
+  void
+  Bite::touch()
+  {
+    // Forces on plates are sums over ranks.
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      for (auto &meeting : meetings)
+        meet(meeting);
+    for (unsigned int p = 0; p < plates.size(); ++p)
+      if (plates[p].settles())
+        settle(p);
+    for (auto &pair : pairs)
+      solids[pair.solid]->apply_forces(plates[pair.plate].settles()
+                                           ? pair.contact->last_forces()
+                                           : press(pair));
+    for (auto &two : neighbours)
+      {
+        two.contact->compute(dt);
+        solids[two.first]->apply_forces(two.contact->forces_on_first());
+        solids[two.second]->apply_forces(two.contact->forces_on_second());
+      }
+    for (unsigned int s = 0; s < conditions.size(); ++s)
+      conditions[s].apply(*solids[s], now, dt);
   }
 
 
@@ -130,8 +180,27 @@ namespace Morsel
               stiffness += pair.contact->stiffness() * side /
                            solids[pair.solid]->contact_side().spacing;
             }
+        for (const auto &meeting : meetings)
+          if (meeting.first == p || meeting.second == p)
+            stiffness +=
+                meeting.foundation * std::max(box.extent(0), box.extent(1));
         plate_frequencies[p] = stiffness / mass;
       }
+  }
+
+
+  void
+  Bite::limit_step_by_meetings(
+      const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic)
+  {
+    for (const auto &meeting : meetings)
+      for (const unsigned int p : {meeting.first, meeting.second})
+        if (responses[p] == "dynamic")
+          plate_frequencies[p] =
+              std::max(plate_frequencies[p],
+                       Jaw::contact_frequency(*elastic[p],
+                                              meeting.foundation,
+                                              plates[p].surface.tributary));
   }
 
 
