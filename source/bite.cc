@@ -68,6 +68,8 @@ namespace Morsel
         smallest = std::min(smallest,
                             scene.particle_bodies.front().solid.cfl * 2. /
                                 std::sqrt(square));
+    for (const auto &drive : inertial_drives())
+      smallest = std::min(smallest, drive.second->stable_time_step());
     return smallest;
   }
 

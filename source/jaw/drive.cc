@@ -137,6 +137,16 @@ namespace Morsel::Jaw
 
 
   double
+  HingeDrive::actuator_damping() const
+  {
+    double sum = 0.;
+    for (const auto &muscle : muscles)
+      sum += muscle.largest_damping();
+    return sum;
+  }
+
+
+  double
   HingeDrive::act(const double time,
                   const double angle,
                   const double spin) const

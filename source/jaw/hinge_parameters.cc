@@ -20,11 +20,10 @@ namespace Morsel::Jaw
                       "Isometric force at full activation and optimal length, "
                       "of both sides together [N].",
                       Patterns::Double(0.));
-    prm.add_parameter(
-        "Activation",
-        activation,
-        "Activation as an expression of the time t [s], from 0 to "
-        "1 [1]: '0.2', 'min(t/0.05, 1)'.");
+    prm.add_parameter("Activation",
+                      activation,
+                      "Activation as an expression of the time t [s], cut off "
+                      "at 0 and 1 [1]: '0.2', 'min(t/0.05, 1)'.");
     prm.add_parameter("Fibre length",
                       fibre_length,
                       "Optimal length L_0 of its fibres [m].",

@@ -24,10 +24,15 @@ namespace Morsel::Jaw
   }
 
 
+  namespace
+  {
+    constexpr double curvature = 0.25, on_stretching = 1.4;
+  }
+
+
   double
   MuscleFactors::force_velocity(const double shortening)
   {
-    constexpr double curvature = 0.25, on_stretching = 1.4;
     if (shortening >= 0.)
       return std::max(0., (1. - shortening) / (1. + shortening / curvature));
     const double x = -shortening * (2. + 2. / curvature) / (on_stretching - 1.);
@@ -76,5 +81,14 @@ namespace Morsel::Jaw
     const double force =
         parameters.maximal_force * (factor + MuscleFactors::passive(length));
     return {force, force * lever, length};
+  }
+
+
+  double
+  Muscle::largest_damping() const
+  {
+    const double lever = parameters.insertion.distance(condyle);
+    return 2. * (1. + 1. / curvature) * parameters.maximal_force * lever *
+           lever / (parameters.fastest * parameters.fibre_length);
   }
 } // namespace Morsel::Jaw

@@ -139,6 +139,13 @@ namespace Morsel::Jaw
       return first_energy;
     }
 
+    /// Largest step with which its damping is stable [s]; infinite without.
+    double
+    stable_time_step() const
+    {
+      return inertia / (damping + actuator_damping());
+    }
+
     /// Mass that a force at a place meets [kg].
     virtual double
     mass_at(const dealii::Point<2> &place) const = 0;
@@ -153,6 +160,13 @@ namespace Morsel::Jaw
     /// Force or moment of the actuator.
     virtual double
     act(double time, double position, double rate) const = 0;
+
+    /// By which the actuator falls at most with the rate [N s/m or N m s].
+    virtual double
+    actuator_damping() const
+    {
+      return 0.;
+    }
 
     /// What a force [N] and a moment [N m] do along q.
     virtual double
@@ -230,6 +244,9 @@ namespace Morsel::Jaw
   protected:
     double
     act(double time, double angle, double spin) const override;
+
+    double
+    actuator_damping() const override;
 
     double
     generalised(const dealii::Tensor<1, 2> &,

@@ -46,6 +46,11 @@ namespace Morsel::Jaw
     State
     at(double time, double angle, double spin) const;
 
+    /// By which its moment falls at most with the spin of the jaw [N m s]:
+    /// fully active, on stretching, the lever arm as long as it can be.
+    double
+    largest_damping() const;
+
   private:
     const MuscleParameters parameters;
     const dealii::Point<2> condyle;
