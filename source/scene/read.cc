@@ -118,8 +118,7 @@ namespace Morsel::Scene
                     condition_names,
                     scene.conditions,
                     "Condition",
-                    "Names of the supports and loads of particle bodies in a "
-                    "scene without plates");
+                    "Names of the supports and loads of particle bodies");
       declare_named(parts.observers,
                     observer_names,
                     scene.observers,
@@ -381,6 +380,7 @@ namespace Morsel::Scene
             {"food", "particles"}, {"plate", "rigid"}, {"tooth", "elastic"}};
         parts.conditions = {"load"};
         parts.observers  = {"tip"};
+        parts.muscles    = {"masseter"};
       }
     Declaration declaration(parts, true);
     if (of_a_scene)
