@@ -9,6 +9,9 @@ from . import style, teeth
 # More particles than this are drawn as an image: squares would take minutes.
 MOST_SQUARES = 60000
 
+# A row of pictures has room for the label of its colours [inch].
+LOWEST_ROW = 1.9
+
 
 def spacing_of(points):
     """The lattice spacing [m] of the undeformed particles."""
@@ -181,7 +184,7 @@ def moments(run):
     width = 9.6 / (len(chosen) + 0.35)
     figure, grid = plt.subplots(
         len(rows), len(chosen), squeeze=False, layout="constrained",
-        figsize=(9.6, len(rows) * width * aspect + 0.75))
+        figsize=(9.6, len(rows) * max(width * aspect, LOWEST_ROW) + 0.75))
     for r, (field, label, cmap) in enumerate(rows):
         draw_row(figure, grid[r], run, chosen, field, label, cmap, spacing,
                  view)
