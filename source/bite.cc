@@ -40,6 +40,7 @@ namespace Morsel
       dt = scene.time.time_step;
     set_up_deformations(std::move(elastic));
     find_closing_axis();
+    find_ways_to_food();
   }
 
 
@@ -194,18 +195,21 @@ namespace Morsel
   }
 
 
-  double
-  Bite::towards_food(const unsigned int plate) const
+  void
+  Bite::find_ways_to_food()
   {
     // Plates below the food close upwards, plates above it downwards.
     const auto middle = [this](const Scene::Rectangle &box) {
       return 0.5 * (box.lower_corner[axis] + box.upper_corner[axis]);
     };
-    const Scene::Rectangle &food = scene.particle_bodies.front().shape;
-    return middle(plates[plate].body.shape.box_before(axis, food)) <
-                   middle(food)
-               ? 1.
-               : -1.;
+    for (const auto &plate : plates)
+      {
+        const Scene::Rectangle &food = scene.particle_bodies.front().shape;
+        ways_to_food.push_back(middle(plate.body.shape.box_before(axis, food)) <
+                                       middle(food)
+                                   ? 1.
+                                   : -1.);
+      }
   }
 
 
@@ -213,8 +217,8 @@ namespace Morsel
   Bite::closure() const
   {
     double sum = 0.;
-    for (unsigned int p = 0; p < plates.size() && !solids.empty(); ++p)
-      sum += towards_food(p) * plates[p].displacement()[axis];
+    for (unsigned int p = 0; p < plates.size(); ++p)
+      sum += ways_to_food[p] * plates[p].displacement()[axis];
     return sum;
   }
 

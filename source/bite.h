@@ -55,7 +55,10 @@ namespace Morsel
 
     /// 1 for plates that close along the closing axis, -1 for those against.
     double
-    towards_food(unsigned int plate) const;
+    towards_food(const unsigned int plate) const
+    {
+      return ways_to_food[plate];
+    }
 
     /// Force of the food on a plate along the closing direction, positive in
     /// compression, and across it [N]; the same on all ranks.
@@ -157,6 +160,9 @@ namespace Morsel
     find_closing_axis();
 
     void
+    find_ways_to_food();
+
+    void
     make_plates(std::vector<std::unique_ptr<FE::ElasticBody>> &elastic);
 
     void
@@ -213,10 +219,11 @@ namespace Morsel
     std::vector<Jaw::Plate>                  plates;
     std::vector<std::string>                 responses; ///< of the plates
     std::vector<std::shared_ptr<Jaw::Drive>> drives;    ///< each once
-    std::vector<Pair>                        pairs;
-    std::vector<Meeting>                     meetings;
-    std::vector<Neighbours>                  neighbours;
-    std::vector<SPH::AppliedConditions>      conditions; ///< none, or by solid
+    std::vector<double>                 ways_to_food;   ///< 1 or -1, by plate
+    std::vector<Pair>                   pairs;
+    std::vector<Meeting>                meetings;
+    std::vector<Neighbours>             neighbours;
+    std::vector<SPH::AppliedConditions> conditions; ///< none, or by solid
 
     /// Largest squares of frequencies of plates on contact springs [1/s^2].
     std::vector<double> plate_frequencies;

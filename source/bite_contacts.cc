@@ -1,6 +1,7 @@
 #include "bite.h"
 
 #include <morsel/jaw/dynamic_deformation.h>
+#include <morsel/materials/elasticity.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +16,10 @@ namespace Morsel
     p_wave_modulus(const Scene::PlateBody &plate)
     {
       const auto &d = plate.deformation;
-      if (!d.elastic)
-        return std::numeric_limits<double>::infinity();
-      const double nu = d.poissons_ratio;
-      return d.youngs_modulus * (1. - nu) / ((1. + nu) * (1. - 2. * nu));
+      return d.elastic ? Materials::Elasticity(
+                             d.youngs_modulus, d.poissons_ratio, d.density)
+                             .p_wave_modulus
+                       : std::numeric_limits<double>::infinity();
     }
 
 

@@ -2,6 +2,7 @@
 
 #include "tooth_cracks.h"
 
+#include <morsel/core/errors.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/fe/plate_mesh.h>
 #include <morsel/scene/mesh.h>
@@ -105,6 +106,9 @@ namespace Morsel
     {
       double speed = 0.;
       for (const auto &plate : scene.plate_bodies)
+        if (!plate.motion.is_prescribed())
+          return scene.time.end_time;
+      for (const auto &plate : scene.plate_bodies)
         speed += plate.motion.typical_velocity().norm();
       if (speed == 0.)
         return 0.;
@@ -113,6 +117,17 @@ namespace Morsel
                                   ? strength * food_compliance
                                   : scene.stop.maximum_closure * height;
       return std::min(scene.time.end_time, closure / speed);
+    }
+
+
+    bool
+    meets_plates(const Scene::Scene &scene, const std::string &plate)
+    {
+      return std::any_of(scene.plate_pairs.begin(),
+                         scene.plate_pairs.end(),
+                         [&](const Scene::PairOfAKind &pair) {
+                           return pair.first == plate || pair.second == plate;
+                         });
     }
   } // namespace
 
@@ -212,11 +227,25 @@ namespace Morsel
     const std::string times =
         share + ", and its period of " + number_text(period) +
         " s compares with a loading of " + number_text(time) + " s";
-    if (period > quick_answer * time)
-      return {"dynamic", times};
-    if (n_ranks > 1 || scene.contact.law != "gap penalty")
+    const bool quasi_static_can = n_ranks == 1 &&
+                                  scene.contact.law == "gap penalty" &&
+                                  !meets_plates(scene, plate.name);
+    const bool dynamic_can = plate.motion.carries_dynamic_bodies();
+    if (!quasi_static_can && !dynamic_can)
+      throw InputError(
+          "'Body " + plate.name +
+          "/Deformation/Response' = 'auto' finds none that does: " + times +
+          "; 'quasi-static' needs one rank, the gap penalty and no contact "
+          "with other plates (name the others in 'Contact/Pairs'), 'dynamic' a "
+          "prescribed motion that does not turn the body.");
+    if (!quasi_static_can)
       return {"dynamic",
-              times + "; 'quasi-static' needs one rank and the gap penalty"};
-    return {"quasi-static", times};
+              times + "; 'quasi-static' needs one rank, the gap penalty and no "
+                      "contact with other plates"};
+    if (!dynamic_can)
+      return {"quasi-static",
+              times + "; 'dynamic' needs a prescribed motion that does not "
+                      "turn the body"};
+    return {period > quick_answer * time ? "dynamic" : "quasi-static", times};
   }
 } // namespace Morsel

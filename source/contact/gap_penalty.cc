@@ -93,11 +93,9 @@ namespace Morsel::Contact
     const double t             = nearest.parameter;
     const auto   v_surface =
         (1. - t) * surface.velocity[first] + t * surface.velocity[second];
-    const auto v_relative = v - v_surface;
-    const auto slip =
-        v_relative - (v_relative * nearest.normal) * nearest.normal;
-    const auto f = -k * gap * nearest.normal +
-                   friction(i, -k * gap, nearest.normal, slip, time_step);
+    const auto f =
+        -k * gap * nearest.normal +
+        friction(i, -k * gap, nearest.normal, v - v_surface, time_step);
     surface.force[first] -= (1. - t) * f;
     surface.force[second] -= t * f;
     energy += 0.5 * k * gap * gap;
@@ -267,11 +265,9 @@ namespace Morsel::Contact
         touching.shares.resize(first);
         return {};
       }
-    const double k          = stiffness_of(i);
-    const auto   v_relative = v - v_surface;
-    const auto   slip       = v_relative - (v_relative * n) * n;
-    const auto   rubbing    = friction(i, -k * gap, n, slip, time_step);
-    const auto   f          = -k * gap * n + rubbing;
+    const double k       = stiffness_of(i);
+    const auto   rubbing = friction(i, -k * gap, n, v - v_surface, time_step);
+    const auto   f       = -k * gap * n + rubbing;
     touching.list.back().stiffness =
         tangent(i, -k * gap, n, rubbing, time_step);
     for (unsigned int s = first; s < touching.shares.size(); ++s)

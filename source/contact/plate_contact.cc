@@ -81,14 +81,9 @@ namespace Morsel::Contact
 
         // One friction for the nodes together: one each could turn the
         // particle's slip around.
-        const auto normal     = sum / size;
-        const auto v_relative = v - v_nodes / weights;
-        const auto rubbing =
-            friction(candidate.particle,
-                     size,
-                     normal,
-                     v_relative - (v_relative * normal) * normal,
-                     time_step);
+        const auto normal  = sum / size;
+        const auto rubbing = friction(
+            candidate.particle, size, normal, v - v_nodes / weights, time_step);
         for (const auto &[j, share] : shares)
           surface.force[j] -= share / weights * rubbing;
         return sum + rubbing;
@@ -264,11 +259,12 @@ namespace Morsel::Contact
   PlateContact::friction(const unsigned int          particle,
                          const double                normal_force,
                          const dealii::Tensor<1, 2> &normal,
-                         const dealii::Tensor<1, 2> &slip,
+                         const dealii::Tensor<1, 2> &relative,
                          const double                time_step)
   {
     if (parameters.friction == 0.)
       return {};
+    const auto   slip = relative - (relative * normal) * normal;
     const double most = parameters.friction * normal_force;
     if (parameters.sticks_elastically())
       return spring_friction(particle, most, normal, slip, time_step);

@@ -5,6 +5,7 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/patterns.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -76,6 +77,17 @@ namespace Morsel::Jaw
                       damping,
                       "Force: resistance against the motion [N s/m].",
                       Patterns::Double(0.));
+  }
+
+
+  bool
+  MotionParameters::turns() const
+  {
+    return kind == "jaw" ||
+           (kind == "table" &&
+            std::any_of(table.angle.begin(),
+                        table.angle.end(),
+                        [](const double angle) { return angle != 0.; }));
   }
 
 

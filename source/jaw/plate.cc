@@ -53,17 +53,18 @@ namespace Morsel::Jaw
   void
   Plate::move_to(const double time)
   {
-    now    = time;
-    placed = drive->at(time);
+    now          = time;
+    placed       = drive->at(time);
+    const auto R = placed.orientation();
     for (unsigned int k = 0; k < surface.nodes.size(); ++k)
       {
-        surface.nodes[k]    = placed.place(initial_nodes[k]);
+        surface.nodes[k]    = placed.place(initial_nodes[k], R);
         surface.velocity[k] = placed.velocity_at(surface.nodes[k]);
         surface.force[k]    = 0.;
       }
     if (deformation)
       {
-        deformation->turn(placed.orientation());
+        deformation->turn(R);
         deformation->add_to(surface);
       }
   }

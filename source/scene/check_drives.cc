@@ -79,13 +79,9 @@ namespace Morsel::Scene
     void
     check_response(const PlateBody &plate, Findings &findings)
     {
-      const bool turns =
-          std::any_of(plate.motion.table.angle.begin(),
-                      plate.motion.table.angle.end(),
-                      [](const double angle) { return angle != 0.; });
       if (plate.deformation.elastic &&
           plate.deformation.response == "dynamic" &&
-          (turns || !plate.motion.is_prescribed()))
+          !plate.motion.carries_dynamic_bodies())
         findings.mistake("Body " + plate.name + "/Deformation/Response",
                          "a dynamic body follows a prescribed motion that "
                          "does not turn it; take 'quasi-static' or 'rigid'.");

@@ -113,14 +113,14 @@ namespace Morsel::Contact
           double                      time_step,
           Surface                    &surface) = 0;
 
-    /// Coulomb friction [N] on a particle that moves along the surface with
-    /// @p slip [m/s]: never more than what stops it within the step, or what
+    /// Coulomb friction [N] on a particle that moves with @p relative [m/s] to
+    /// the surface: never more than what stops it within the step, or what
     /// its spring asks for.
     dealii::Tensor<1, 2>
     friction(unsigned int                particle,
              double                      normal_force,
              const dealii::Tensor<1, 2> &normal,
-             const dealii::Tensor<1, 2> &slip,
+             const dealii::Tensor<1, 2> &relative,
              double                      time_step);
 
     /// How friction that sticks grows with the way along the surface [N/m].

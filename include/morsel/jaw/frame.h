@@ -31,8 +31,17 @@ namespace Morsel::Jaw
     dealii::Point<2>
     place(const dealii::Point<2> &reference) const
     {
+      return place(reference, orientation());
+    }
+
+    /// The same for many points.
+    /// @param R orientation()
+    dealii::Point<2>
+    place(const dealii::Point<2>     &reference,
+          const dealii::Tensor<2, 2> &R) const
+    {
       return angle == 0. ? reference + shift
-                         : pivot + shift + orientation() * (reference - pivot);
+                         : pivot + shift + R * (reference - pivot);
     }
 
     /// Of the body at a place where it stands now [m/s].

@@ -57,6 +57,17 @@ namespace Morsel::Jaw
       return kind != "force" && kind != "jaw";
     }
 
+    bool
+    turns() const;
+
+    /// Whether a body with inertia of its own can follow: its drive is known
+    /// beforehand and does not turn it.
+    bool
+    carries_dynamic_bodies() const
+    {
+      return is_prescribed() && !turns();
+    }
+
     /// Velocity by which times are estimated [m/s]: the constant one, the
     /// largest of the others, 0 where it depends on the food.
     dealii::Tensor<1, 2>
