@@ -3,6 +3,7 @@
 
 #include <morsel/contact/plate_contact.h>
 #include <morsel/core/log.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/jaw/plate.h>
 #include <morsel/measure/energy_ledger.h>
 #include <morsel/scene/scene.h>
@@ -131,6 +132,11 @@ namespace Morsel
     /// Total of the bodies' particles over all ranks.
     unsigned long long
     particle_count() const;
+
+    /// Saves or loads everything that changes, between advance() and the next
+    /// evaluate().
+    void
+    exchange_state(StateArchive &state);
 
   private:
     struct Pair

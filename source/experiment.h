@@ -2,6 +2,7 @@
 #define morsel_source_experiment_h
 
 #include <morsel/core/log.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/measure/energy_ledger.h>
 #include <morsel/scene/scene.h>
 #include <morsel/sph/applied_conditions.h>
@@ -78,6 +79,11 @@ namespace Morsel
 
     unsigned long long
     particle_count() const;
+
+    /// Saves or loads everything that changes, between advance() and the next
+    /// evaluate().
+    void
+    exchange_state(StateArchive &state);
 
   private:
     const Scene::Scene &scene;

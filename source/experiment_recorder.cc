@@ -68,8 +68,8 @@ namespace Morsel
       , breaking(scene, experiment)
       , energy(experiment.energies())
       , momentum(experiment.momentum())
-      , loop_wall_begin(log.wall_time())
   {
+    log.begin_loop();
     for (const auto &observer : scene.observers)
       {
         const unsigned int body = experiment.index_of(observer.body);

@@ -5,6 +5,7 @@
 #include "experiment.h"
 
 #include <morsel/core/run_options.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/measure/crack_gauge.h>
 #include <morsel/measure/probe.h>
 #include <morsel/output/frames.h>
@@ -36,6 +37,11 @@ namespace Morsel
     /// Whether the scene's rule ends the run.
     bool
     finished() const;
+
+    /// Saves or loads what has been recorded; the files of the results are
+    /// brought back to it.
+    void
+    exchange_state(StateArchive &state);
 
     /// The last sample and summary.json.
     void
@@ -109,8 +115,7 @@ namespace Morsel
 
     double next_sample = 0., next_frame = 0.;
     double last_sample_time = -1., last_frame_time = -1.;
-    double least_spacing   = 2.;
-    double loop_wall_begin = 0.;
+    double least_spacing = 2.;
   };
 
 

@@ -1,5 +1,6 @@
 #include "experiment_run.h"
 
+#include "checkpoints.h"
 #include "experiment.h"
 #include "experiment_recorder.h"
 #include "static_run.h"
@@ -9,7 +10,6 @@
 #include <morsel/core/command_line.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/failure.h>
-#include <morsel/core/signals.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/measure/crack_gauge.h>
 
@@ -56,9 +56,14 @@ namespace Morsel
         run_static(scene, options);
         return;
       }
+    Checkpoints checkpoints(scene, options, MPI_COMM_SELF);
     FirstRank().run(
         [&] { prepare_output_directory(options.output_directory); });
-    RunLog log(options.output_directory + "/run.log", options.quiet, true);
+    RunLog log(options.output_directory + "/run.log",
+               options.quiet,
+               true,
+               options.resume);
+    checkpoints.begin(log);
     write_atomically(options.output_directory + "/used.prm",
                      scene.used_parameters);
     log << scene.title << '\n';
@@ -75,25 +80,32 @@ namespace Morsel
 
     experiment.evaluate();
     ExperimentRecorder recorder(scene, options, experiment, log);
-    bool               interrupted = false;
+    if (checkpoints.resumes())
+      {
+        checkpoints.restore(experiment, recorder);
+        experiment.evaluate();
+      }
+    bool interrupted = false;
     for (;;)
       {
         recorder.follow();
         log.progress(std::min(1., experiment.time() / scene.time.end_time),
                      experiment.time(),
                      experiment.step());
-        interrupted = interrupt_requested();
-        if (interrupted || recorder.finished())
+        if (recorder.finished())
           break;
         experiment.advance();
+        interrupted = checkpoints.after_step(experiment, recorder);
         experiment.evaluate();
+        if (interrupted)
+          break;
       }
     recorder.finish();
     log.print_wall_times();
     if (interrupted)
       throw Interrupted("Interrupted at " + std::to_string(experiment.time()) +
                         " s; the results so far are in '" +
-                        options.output_directory + "'.");
+                        options.output_directory + "'." + checkpoints.advice());
   }
 
 

@@ -190,8 +190,8 @@ namespace Morsel
                   2. * interesting_time(scene, bite.closing_axis()) /
                       std::max(1u, scene.output.field_frames))
       , tooth_cracks(bite, log)
-      , loop_wall_begin(log.wall_time())
   {
+    log.begin_loop();
     auto       columns = history_columns(scene, drives);
     const auto more    = tooth_cracks.columns();
     columns.insert(columns.end(), more.begin(), more.end());

@@ -7,6 +7,7 @@
 
 #include <morsel/contact/traction.h>
 #include <morsel/core/run_options.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/measure/breakage.h>
 #include <morsel/measure/energy_ledger.h>
 #include <morsel/measure/fracture_pattern.h>
@@ -32,6 +33,9 @@ namespace Morsel
     /// Whether something is due at @p time; it then counts as done.
     bool
     due(double time);
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     double budget, interval, next = 0., spent = 0., limit;
@@ -71,6 +75,11 @@ namespace Morsel
     /// Share of the run that is done, as far as one can know [1].
     double
     progress() const;
+
+    /// Saves or loads what has been recorded; the files of the results are
+    /// brought back to it.
+    void
+    exchange_state(StateArchive &state);
 
     /// The last sample, fragments, and summary.json.
     void
@@ -184,7 +193,6 @@ namespace Morsel
     unsigned int most_inverted    = 0;
     double       last_kinetic     = 0.;
     double       last_strain      = 0.;
-    double       loop_wall_begin  = 0.;
   };
 
 

@@ -1,4 +1,5 @@
 #include "bite.h"
+#include "checkpoints.h"
 #include "costs.h"
 #include "elastic_plates.h"
 #include "experiment_run.h"
@@ -9,7 +10,6 @@
 #include <morsel/core/command_line.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/failure.h>
-#include <morsel/core/signals.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/simulation.h>
 
@@ -75,13 +75,17 @@ namespace Morsel
         return;
       }
     check_cracked_bodies(scene);
+    const MPI_Comm  communicator = MPI_COMM_WORLD;
+    Checkpoints     checkpoints(scene, options, communicator);
     const FirstRank writer;
     writer.run([&] { prepare_output_directory(options.output_directory); });
-    const MPI_Comm communicator = MPI_COMM_WORLD;
-    const bool     first_rank =
+    const bool first_rank =
         dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-    RunLog log(
-        options.output_directory + "/run.log", options.quiet, first_rank);
+    RunLog log(options.output_directory + "/run.log",
+               options.quiet,
+               first_rank,
+               options.resume);
+    checkpoints.begin(log);
     if (first_rank)
       write_atomically(options.output_directory + "/used.prm",
                        scene.used_parameters);
@@ -101,19 +105,23 @@ namespace Morsel
     }
 
     bite.evaluate();
-    Recorder   recorder(scene, options, bite, log, communicator);
+    Recorder recorder(scene, options, bite, log, communicator);
+    if (checkpoints.resumes())
+      {
+        checkpoints.restore(bite, recorder);
+        bite.evaluate();
+      }
     StopReason reason = StopReason::none;
     for (bool go_on = true; go_on;)
       {
         recorder.follow();
         log.progress(recorder.progress(), bite.time(), bite.step());
         reason = recorder.stop_reason();
-        go_on  = reason == StopReason::none &&
-                !dealii::Utilities::MPI::max(
-                    static_cast<int>(interrupt_requested()), communicator);
+        go_on  = reason == StopReason::none;
         if (go_on)
           {
             bite.advance();
+            go_on = !checkpoints.after_step(bite, recorder);
             bite.evaluate();
           }
       }
@@ -122,7 +130,7 @@ namespace Morsel
     if (reason == StopReason::none)
       throw Interrupted("Interrupted at " + std::to_string(1e3 * bite.time()) +
                         " ms; the results so far are in '" +
-                        options.output_directory + "'.");
+                        options.output_directory + "'." + checkpoints.advice());
   }
 
 

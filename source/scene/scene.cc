@@ -268,6 +268,15 @@ namespace Morsel::Scene
                       history_samples,
                       "At most about so many rows of the history [1].",
                       Patterns::Integer(2, 10000000));
+    prm.add_parameter("Checkpoint interval",
+                      checkpoint_interval,
+                      "Wall time from one checkpoint to the next, from which "
+                      "--resume goes on [min]; 0 = only on signals.",
+                      Patterns::Double(0., 1e6));
+    prm.add_parameter("Checkpoints kept",
+                      checkpoints_kept,
+                      "How many of the newest checkpoints are kept [1].",
+                      Patterns::Integer(1, 1000));
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <morsel/contact/surface.h>
 #include <morsel/contact/touches.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/fe/elastic_body.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -101,6 +102,9 @@ namespace Morsel::Jaw
     /// By dof, relative to the drive [m].
     virtual Eigen::VectorXd
     displacement() const = 0;
+
+    virtual void
+    exchange_state(StateArchive &state) = 0;
 
     const FE::ElasticBody &
     get_body() const

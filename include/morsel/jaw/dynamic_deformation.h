@@ -50,6 +50,9 @@ namespace Morsel::Jaw
       return w;
     }
 
+    void
+    exchange_state(StateArchive &state) override;
+
   private:
     const MPI_Comm   communicator;
     const bool       first_rank;

@@ -111,6 +111,9 @@ namespace Morsel::Jaw
       return impulse_given;
     }
 
+    void
+    exchange_state(StateArchive &state);
+
     const Scene::PlateBody &body;
     Contact::Surface        surface;
 

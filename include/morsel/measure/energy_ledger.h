@@ -1,6 +1,8 @@
 #ifndef morsel_measure_energy_ledger_h
 #define morsel_measure_energy_ledger_h
 
+#include <morsel/core/state_archive_fwd.h>
+
 #include <deal.II/base/tensor.h>
 
 #include <vector>
@@ -78,6 +80,9 @@ namespace Morsel::Measure
     const Energies &
     at_peak() const;
 
+    void
+    exchange_state(StateArchive &state);
+
   private:
     double   initial;
     double   largest    = 0.;
@@ -113,6 +118,9 @@ namespace Morsel::Measure
     /// The largest gap of all samples, over the largest term.
     double
     largest_error() const;
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     dealii::Tensor<1, 2> initial;

@@ -160,6 +160,9 @@ namespace Morsel::Scene
     bool         fields          = true;
     unsigned int field_frames    = 40;  ///< about so many moments
     unsigned int history_samples = 600; ///< about so many rows at most
+    /// Of wall time from checkpoint to checkpoint [min], 0 = on signals only.
+    double       checkpoint_interval = 10.;
+    unsigned int checkpoints_kept    = 2;
 
     void
     declare(dealii::ParameterHandler &prm);

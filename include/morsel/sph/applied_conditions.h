@@ -2,6 +2,7 @@
 #define morsel_sph_applied_conditions_h
 
 #include <morsel/core/expression.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/scene/scene.h>
 #include <morsel/sph/deformable_body.h>
 
@@ -91,6 +92,9 @@ namespace Morsel::SPH
       return condition.prescribes_motion();
     }
 
+    void
+    exchange_state(StateArchive &state);
+
   private:
     struct Loaded
     {
@@ -171,6 +175,9 @@ namespace Morsel::SPH
     {
       return places;
     }
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     std::vector<std::unique_ptr<AppliedCondition>> conditions;

@@ -2,6 +2,7 @@
 #define morsel_sph_body_contact_h
 
 #include <morsel/core/records.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/sph/neighbours.h>
 #include <morsel/sph/particles.h>
 
@@ -66,6 +67,9 @@ namespace Morsel::SPH
     {
       return pairs.size();
     }
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     /// Of a flat row against one that is shifted by half a spacing: two

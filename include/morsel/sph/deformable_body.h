@@ -1,6 +1,7 @@
 #ifndef morsel_sph_deformable_body_h
 #define morsel_sph_deformable_body_h
 
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/materials/elasticity.h>
 #include <morsel/sph/particles.h>
 
@@ -104,6 +105,11 @@ namespace Morsel::SPH
 
     virtual const Materials::Elasticity &
     get_material() const = 0;
+
+    /// Saves or loads what changes from step to step, between advance() and
+    /// the next compute_accelerations().
+    virtual void
+    exchange_state(StateArchive &state) = 0;
 
     /// Of the owned particles [Pa]; empty where all have the material's.
     std::vector<double>

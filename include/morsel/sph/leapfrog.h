@@ -1,6 +1,7 @@
 #ifndef morsel_sph_leapfrog_h
 #define morsel_sph_leapfrog_h
 
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/sph/particles.h>
 
 namespace Morsel::SPH
@@ -34,6 +35,9 @@ namespace Morsel::SPH
       const double   t = lag(time_step);
       return {v.x + t * a.x, v.y + t * a.y};
     }
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     bool started = false;

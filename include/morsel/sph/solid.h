@@ -111,6 +111,9 @@ namespace Morsel::SPH
       return material;
     }
 
+    void
+    exchange_state(StateArchive &state) override;
+
     ParticleSide
     contact_side() const;
 

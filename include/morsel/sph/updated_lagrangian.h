@@ -90,6 +90,9 @@ namespace Morsel::SPH
       return material;
     }
 
+    void
+    exchange_state(StateArchive &state) override;
+
     /// How often the neighbours were searched for.
     unsigned int
     search_count() const
