@@ -141,7 +141,12 @@ namespace Morsel::Output
     const std::string  stem = file_stem(head.step);
     const std::string  part = stem + ".rank" + std::to_string(rank);
     run_on_all_ranks(communicator, [&] {
-      create_folder(folder);
+      // Not the folder of results: if that has gone, the user shall know.
+      std::error_code error;
+      fs::create_directory(folder, error);
+      if (error)
+        throw FileError("Cannot create the folder '" + folder +
+                        "': " + error.message() + ".");
       write_atomically(folder + "/" + part, state);
     });
 
