@@ -27,6 +27,17 @@ for signal in INT TERM; do
   "$compare" whole run || complain "the results differ after SIG$signal"
 done
 
+# What is solved at once ends at once.
+rm -rf static
+"$morsel" --output static --set "Plate/Cells along x=401" --set "Plate/Cells along y=401" \
+  "$(dirname "$scene")/../../prm/fracture/m1_xfem.prm" >message 2>&1 &
+pid=$!
+wait_for_file static/run.log
+kill -TERM $pid
+wait $pid
+expect $? 130 "an interrupted static scene"
+expect_message "^morsel: Interrupted before the scene was solved"
+
 # SIGUSR1 makes a checkpoint in passing, one after another; two are kept.
 rm -rf run
 "$morsel" --threads 1 --quiet --output run "$scene" >message 2>&1 &
