@@ -76,6 +76,13 @@ namespace Morsel
       write(system.step(), system.time(), state.buffer());
     }
 
+    /// The newest, as it can be named to the user; empty if there is none.
+    const std::string &
+    newest() const
+    {
+      return folder.newest();
+    }
+
     /// "; --resume goes on from 'FILE'" or nothing.
     std::string
     advice() const;

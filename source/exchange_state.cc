@@ -14,7 +14,7 @@ namespace Morsel
   void
   Experiment::exchange_state(StateArchive &state)
   {
-    state.same(dt, now, steps);
+    state.same(clock);
     for (auto &solid : solids)
       solid->exchange_state(state);
     for (auto &of_body : conditions)
@@ -25,7 +25,9 @@ namespace Morsel
   void
   Bite::exchange_state(StateArchive &state)
   {
-    state.same(dt, now, steps);
+    state.same(clock);
+    if (state.loads())
+      adapt_to_time_step();
     for (auto &solid : solids)
       solid->exchange_state(state);
     for (auto &of_body : conditions)

@@ -3,6 +3,7 @@
 
 #include "breaking_recorder.h"
 #include "experiment.h"
+#include "loop_report.h"
 
 #include <morsel/core/run_options.h>
 #include <morsel/core/state_archive_fwd.h>
@@ -29,10 +30,23 @@ namespace Morsel
                        const Experiment   &experiment,
                        RunLog             &log);
 
+    /// Whether follow() is going to write something.
+    bool
+    records_now() const;
+
     /// Takes the present state in, after evaluate().
-    /// @throws NumericalError where the numbers went bad.
     void
     follow();
+
+    const Measure::EnergyLedger &
+    energy_ledger() const
+    {
+      return energy;
+    }
+
+    /// Share of the run that is done [1].
+    double
+    progress() const;
 
     /// Whether the scene's rule ends the run.
     bool
@@ -45,7 +59,7 @@ namespace Morsel
 
     /// The last sample and summary.json.
     void
-    finish();
+    finish(const LoopReport &report);
 
   private:
     /// The tips of a body's cracks.
@@ -112,6 +126,12 @@ namespace Morsel
     std::unique_ptr<Output::History>                history;
     std::vector<std::unique_ptr<Output::Frames<0>>> frames;
     Output::Summary                                 summary;
+
+    bool
+    sample_is_due() const;
+
+    bool
+    frame_is_due() const;
 
     double next_sample = 0., next_frame = 0.;
     double last_sample_time = -1., last_frame_time = -1.;

@@ -4,6 +4,7 @@
 #include "experiment.h"
 #include "experiment_recorder.h"
 #include "static_run.h"
+#include "time_loop.h"
 #include "trial_steps.h"
 
 #include <morsel/core/atomic_file.h>
@@ -70,7 +71,17 @@ namespace Morsel
     for (const auto &advice : scene.warnings)
       log.warning(advice);
 
-    Experiment         experiment(scene, log);
+    TimeLoop<Experiment, ExperimentRecorder> loop(
+        [&] { return std::make_unique<Experiment>(scene, log); },
+        [&](Experiment &system) {
+          return std::make_unique<ExperimentRecorder>(
+              scene, options, system, log);
+        },
+        scene.time,
+        &checkpoints,
+        log,
+        MPI_COMM_SELF);
+    const Experiment  &experiment = loop.get_system();
     std::ostringstream text;
     text << experiment.particle_count() << " particles, step "
          << experiment.time_step() << " s, " << options.threads
@@ -78,34 +89,13 @@ namespace Morsel
          << Output::effects_as_text(effects_of_experiment(scene));
     log << text.str();
 
-    experiment.evaluate();
-    ExperimentRecorder recorder(scene, options, experiment, log);
-    if (checkpoints.resumes())
-      {
-        checkpoints.restore(experiment, recorder);
-        experiment.evaluate();
-      }
-    bool interrupted = false;
-    for (;;)
-      {
-        recorder.follow();
-        log.progress(std::min(1., experiment.time() / scene.time.end_time),
-                     experiment.time(),
-                     experiment.step());
-        if (recorder.finished())
-          break;
-        experiment.advance();
-        interrupted = checkpoints.after_step(experiment, recorder);
-        experiment.evaluate();
-        if (interrupted)
-          break;
-      }
-    recorder.finish();
+    const LoopReport report = loop.run();
+    loop.get_recorder().finish(report);
     log.print_wall_times();
-    if (interrupted)
-      throw Interrupted("Interrupted at " + std::to_string(experiment.time()) +
-                        " s; the results so far are in '" +
-                        options.output_directory + "'." + checkpoints.advice());
+    end_run(report,
+            loop.get_system().time(),
+            "the results so far are in '" + options.output_directory + "'." +
+                checkpoints.advice());
   }
 
 

@@ -3,6 +3,7 @@
 
 #include "bite.h"
 #include "drive_record.h"
+#include "loop_report.h"
 #include "recorder_cracks.h"
 
 #include <morsel/contact/traction.h>
@@ -29,6 +30,12 @@ namespace Morsel
   {
   public:
     Cadence(unsigned int budget, double interval);
+
+    bool
+    is_due(const double time) const
+    {
+      return !(time < next * (1. - 1e-12));
+    }
 
     /// Whether something is due at @p time; it then counts as done.
     bool
@@ -63,14 +70,29 @@ namespace Morsel
              RunLog             &log,
              MPI_Comm            communicator);
 
+    /// Whether follow() is going to write something.
+    bool
+    records_now() const;
+
     /// Takes the present state in: forces at every step, energies, history
     /// and fields when they are due.
-    /// @throws NumericalError where the numbers went bad.
     void
     follow();
 
+    const Measure::EnergyLedger &
+    energy_ledger() const
+    {
+      return energy;
+    }
+
     StopReason
     stop_reason() const;
+
+    bool
+    finished() const
+    {
+      return stop_reason() != StopReason::none;
+    }
 
     /// Share of the run that is done, as far as one can know [1].
     double
@@ -83,7 +105,7 @@ namespace Morsel
 
     /// The last sample, fragments, and summary.json.
     void
-    finish(StopReason reason);
+    finish(const LoopReport &report);
 
   private:
     void

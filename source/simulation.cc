@@ -4,6 +4,7 @@
 #include "elastic_plates.h"
 #include "experiment_run.h"
 #include "recorder.h"
+#include "time_loop.h"
 #include "trial_steps.h"
 
 #include <morsel/core/atomic_file.h>
@@ -93,8 +94,18 @@ namespace Morsel
     for (const auto &advice : scene.warnings)
       log.warning(advice);
 
-    Bite bite(scene, communicator, log);
+    TimeLoop<Bite, Recorder> loop(
+        [&] { return std::make_unique<Bite>(scene, communicator, log); },
+        [&](Bite &system) {
+          return std::make_unique<Recorder>(
+              scene, options, system, log, communicator);
+        },
+        scene.time,
+        &checkpoints,
+        log,
+        communicator);
     {
+      const Bite        &bite = loop.get_system();
       std::ostringstream text;
       text << bite.particle_count() << " particles, step " << bite.time_step()
            << " s, " << options.threads << " threads on "
@@ -104,33 +115,13 @@ namespace Morsel
       log << text.str();
     }
 
-    bite.evaluate();
-    Recorder recorder(scene, options, bite, log, communicator);
-    if (checkpoints.resumes())
-      {
-        checkpoints.restore(bite, recorder);
-        bite.evaluate();
-      }
-    StopReason reason = StopReason::none;
-    for (bool go_on = true; go_on;)
-      {
-        recorder.follow();
-        log.progress(recorder.progress(), bite.time(), bite.step());
-        reason = recorder.stop_reason();
-        go_on  = reason == StopReason::none;
-        if (go_on)
-          {
-            bite.advance();
-            go_on = !checkpoints.after_step(bite, recorder);
-            bite.evaluate();
-          }
-      }
-    recorder.finish(reason);
+    const LoopReport report = loop.run();
+    loop.get_recorder().finish(report);
     log.print_wall_times();
-    if (reason == StopReason::none)
-      throw Interrupted("Interrupted at " + std::to_string(1e3 * bite.time()) +
-                        " ms; the results so far are in '" +
-                        options.output_directory + "'." + checkpoints.advice());
+    end_run(report,
+            loop.get_system().time(),
+            "the results so far are in '" + options.output_directory + "'." +
+                checkpoints.advice());
   }
 
 

@@ -220,6 +220,12 @@ namespace Morsel::Scene
                       time_step,
                       "Fixed time step [s]; 0 takes the largest stable one.",
                       Patterns::Double(0.));
+    prm.add_parameter("Retries",
+                      retries,
+                      "Where a guard finds bad numbers, the run goes back to "
+                      "the last good state and on with half the time step, at "
+                      "most so many times [1]; 0 stops it at once.",
+                      Patterns::Integer(0, 20));
   }
 
 

@@ -24,7 +24,7 @@ namespace Morsel::SPH
   void
   Leapfrog::exchange_state(StateArchive &state)
   {
-    state.same(started);
+    state.same(last_step);
   }
 
 
@@ -119,7 +119,7 @@ namespace Morsel::SPH
   void
   AppliedConditions::exchange_state(StateArchive &state)
   {
-    state.same(started);
+    state.same(last_step);
     for (auto &condition : conditions)
       condition->exchange_state(state);
   }

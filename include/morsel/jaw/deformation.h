@@ -72,6 +72,11 @@ namespace Morsel::Jaw
     virtual dealii::Tensor<1, 2>
     account(const Contact::Surface &surface, const DriveKick &drive) = 0;
 
+    /// The steps from now on [s]; before account().
+    virtual void
+    change_time_step(double /*time_step*/)
+    {}
+
     /// Moves on by a time step [s].
     virtual void
     advance(double time_step) = 0;

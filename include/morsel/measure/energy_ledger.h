@@ -61,6 +61,15 @@ namespace Morsel::Measure
     double
     record(const Energies &energies, double force);
 
+    /// |work + initial - stored - dissipated| [J], without recording it; not a
+    /// number if a term is not.
+    double
+    gap(const Energies &energies) const;
+
+    /// Seen so far or now [J].
+    double
+    largest_term(const Energies &energies) const;
+
     double
     error_at_peak() const;
 

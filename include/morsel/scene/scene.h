@@ -125,6 +125,8 @@ namespace Morsel::Scene
     std::string solution  = "transient"; ///< or "static"
     double      end_time  = 0.4;         ///< [s]
     double      time_step = 0.;          ///< [s], 0 = the stable step
+    /// With half the step from a good state, where the numbers go bad.
+    unsigned int retries = 4;
 
     bool
     is_static() const

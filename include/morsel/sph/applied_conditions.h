@@ -86,6 +86,12 @@ namespace Morsel::SPH
       return condition.kind == "damping";
     }
 
+    const std::string &
+    body() const
+    {
+      return condition.body;
+    }
+
     bool
     prescribes_motion() const
     {
@@ -160,6 +166,7 @@ namespace Morsel::SPH
 
     /// Turns the accelerations of the inner forces into those with all
     /// conditions, once a step, after compute_accelerations().
+    /// @param time_step that follows [s]
     void
     apply(DeformableBody &solid, double time, double time_step);
 
@@ -182,7 +189,7 @@ namespace Morsel::SPH
   private:
     std::vector<std::unique_ptr<AppliedCondition>> conditions;
     std::vector<unsigned int>                      places;
-    bool                                           started = false;
+    double                                         last_step = 0.; ///< [s]
   };
 } // namespace Morsel::SPH
 

@@ -67,7 +67,7 @@ namespace Morsel::SPH
 
     /// Energies at the time of the last compute_accelerations().
     virtual SolidEnergies
-    energies(double time_step) const = 0;
+    energies() const = 0;
 
     /// Linear momentum at the last half step [kg m/s].
     virtual Vector2
@@ -80,6 +80,11 @@ namespace Morsel::SPH
     /// Density over reference density [1].
     virtual double
     density_ratio(unsigned int i) const = 0;
+
+    /// A particle of this rank that is turned inside out but has not failed, or
+    /// -1.
+    virtual long
+    first_inverted() const = 0;
 
     /// Gradient of the present velocities as the body's strain sees it [1/s].
     virtual Materials::Tensor2
