@@ -29,7 +29,7 @@ done
 
 # What is solved at once ends at once.
 rm -rf static
-"$morsel" --output static --set "Plate/Cells along x=401" --set "Plate/Cells along y=401" \
+"$morsel" --output static --set "XFEM/Cells along x=201" --set "XFEM/Cells along y=201" \
   "$(dirname "$scene")/../../prm/fracture/m1_xfem.prm" >message 2>&1 &
 pid=$!
 wait_for_file static/run.log
