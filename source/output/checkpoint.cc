@@ -97,12 +97,16 @@ namespace Morsel::Output
     }
 
 
-    /// Lines that differ do not matter where they say how often checkpoints
-    /// are made.
+    /// Whether a run may go on with another value of an entry: those that say
+    /// how far, in which steps, and how often checkpoints are made.
     bool
     may_differ(const std::string &line)
     {
-      return line.find("set Checkpoint") != std::string::npos;
+      for (const char *entry :
+           {"Checkpoint", "Time step", "CFL factor", "Retries", "End time"})
+        if (trimmed(line).rfind(std::string("set ") + entry, 0) == 0)
+          return true;
+      return false;
     }
 
 

@@ -78,9 +78,16 @@ done
 
 # Another scene.
 rm -rf run && cp -r intact run
-run run --resume --set "Time/End time=0.5"
+run run --resume --set "Contact/Friction=0.31"
 expect $? 2 "other parameters"
-expect_message "does not belong to this run: it was made with 'set End time"
+expect_message "does not belong to this run: it was made with 'set Friction"
+
+# Half the step from there on.
+run run --resume --set "Time/Time step=2e-7"
+expect $? 0 "going on with another step"
+[ "$(tail -1 run/history.csv | sed 's/.*,//')" = 2e-07 ] ||
+  complain "the step is still $(tail -1 run/history.csv | sed 's/.*,//')"
+rm -rf run && cp -r intact run
 
 # A run from the beginning keeps what an earlier one left.
 run run
