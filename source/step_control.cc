@@ -15,7 +15,7 @@ namespace Morsel
     constexpr unsigned int steps_between_states = 500;
 
     /// A run that fails early is to leave more than its beginning.
-    constexpr std::array<unsigned int, 3> first_states = {50, 100, 200};
+    constexpr std::array<unsigned int, 3> first_states = {{50, 100, 200}};
 
     /// From the earlier state to the last one, at least.
     constexpr unsigned int steps_well_before = 10 * steps_between_states;

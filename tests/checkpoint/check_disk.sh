@@ -33,6 +33,11 @@ if mount -t tmpfs -o size=300k none small 2>/dev/null; then
   expect $? 4 "a static scene on a full disk"
   expect_message "^morsel: Cannot write 'small/run/.*No space left on device"
   [ ! -e small/run/solution/plate.vtu ] || complain "a file is half-written"
+
+  rm -rf small/* && mount -o remount,ro small
+  run small/run
+  expect $? 4 "where nothing may be written"
+  expect_message "^morsel: .*Read-only file system"
 else
   echo "no small file system can be mounted here: that part is left out"
 fi

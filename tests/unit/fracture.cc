@@ -437,7 +437,7 @@ namespace
               p_x += v.x;
               p_y += v.y;
             }
-          const double viscous = viscous_heat(body.leapfrog, body.p, dt);
+          const double viscous = viscous_heat(body.leapfrog, body.p);
           last_viscous         = viscous;
           stored               = body.energy() + granular->stored_energy();
           const double energy =
