@@ -1,6 +1,7 @@
 #include "bite.h"
 #include "drives.h"
 #include "elastic_plates.h"
+#include "guarded.h"
 
 #include <morsel/core/errors.h>
 
@@ -35,12 +36,43 @@ namespace Morsel
     if (!scene.conditions.empty())
       for (unsigned int s = 0; s < solids.size(); ++s)
         conditions.emplace_back(scene, scene.particle_bodies[s], *solids[s]);
-    dt = stable_time_step();
-    if (scene.time.time_step > 0.)
-      dt = scene.time.time_step;
+    choose_time_step();
     set_up_deformations(std::move(elastic));
     find_closing_axis();
     find_ways_to_food();
+  }
+
+
+  void
+  Bite::choose_time_step()
+  {
+    automatic_step = stable_time_step();
+    clock.set_time_step(scene.time.time_step > 0. ? scene.time.time_step
+                                                  : automatic_step);
+  }
+
+
+  double
+  Bite::safe_time_step() const
+  {
+    return automatic_step / largest_cfl_above_one(scene);
+  }
+
+
+  void
+  Bite::change_time_step(const double time_step)
+  {
+    clock.set_time_step(time_step);
+    adapt_to_time_step();
+  }
+
+
+  void
+  Bite::adapt_to_time_step()
+  {
+    for (auto &plate : plates)
+      plate.change_time_step(clock.time_step());
+    set_slipping_masses();
   }
 
 
@@ -130,8 +162,9 @@ namespace Morsel
   void
   Bite::evaluate()
   {
+    const double dt = clock.time_step();
     for (auto &plate : plates)
-      plate.move_to(now);
+      plate.move_to(clock.time());
 
     {
       const auto timer = log.section("strain and forces");
@@ -145,12 +178,11 @@ namespace Morsel
     }
     const auto timer = log.section("contact with plates");
     touch();
-    const double kick = steps == 0 ? 0.5 * dt : dt;
     for (auto &plate : plates)
-      plate.account(kick, dt);
+      plate.account(clock.kick(), dt);
     for (const auto &drive : drives)
-      drive->account(kick);
-    if (steps % steps_between_face_marks == 0)
+      drive->account(clock.kick());
+    if (clock.step() % steps_between_face_marks == 0)
       mark_loaded_faces();
   }
 
@@ -172,6 +204,7 @@ namespace Morsel
   void
   Bite::advance()
   {
+    const double dt = clock.time_step();
     {
       const auto timer = log.section("damage and broken bonds");
       for (auto &solid : solids)
@@ -191,7 +224,7 @@ namespace Morsel
       plate.advance(dt);
     for (const auto &drive : drives)
       drive->advance(dt);
-    now = ++steps * dt;
+    clock.advance();
   }
 
 
@@ -245,7 +278,7 @@ namespace Morsel
     Measure::Energies e;
     for (const auto &solid : solids)
       {
-        const auto s = solid->energies(dt);
+        const auto s = solid->energies();
         e.strain += s.strain;
         e.hourglass += s.hourglass;
         e.kinetic += s.kinetic;
@@ -324,27 +357,34 @@ namespace Morsel
   }
 
 
-  void
-  Bite::check_finite() const
+  GuardedSystem
+  Bite::guarded() const
   {
-    for (unsigned int s = 0; s < solids.size(); ++s)
-      {
-        const long i = solids[s]->first_not_finite();
-        if (dealii::Utilities::MPI::max(i, communicator) < 0)
-          continue;
-        std::ostringstream text;
-        text << "The motion of body '" << scene.particle_bodies[s].name
-             << "' is not finite any more";
-        if (i >= 0)
-          text << ": particle " << solids[s]->get_particles().id[i] << " at ("
-               << solids[s]->get_particles().reference[i] << ") m";
-        text << ", at time " << now << " s, step " << steps
-             << ". The time step (" << dt
-             << " s) is the likely cause: leave 'Time/Time step' at 0 or lower "
-                "'Body "
-             << scene.particle_bodies[s].name << "/Solid/CFL factor'.";
-        throw NumericalError(text.str());
-      }
+    GuardedSystem system = guarded_bodies(scene, solids, communicator);
+    for (const auto &pair : pairs)
+      system.contacts.push_back(
+          {scene.particle_bodies[pair.solid].name,
+           scene.plate_bodies[pair.plate].name,
+           [&pair] { return pair.contact->deepest_penetration(); },
+           solids[pair.solid]->get_particles().spacing});
+    for (const auto &meeting : meetings)
+      system.contacts.push_back(
+          {scene.plate_bodies[meeting.first].name,
+           scene.plate_bodies[meeting.second].name,
+           [&meeting] { return meeting.contact->deepest_penetration(); },
+           solids.front()->get_particles().spacing});
+    for (const auto &two : neighbours)
+      system.contacts.push_back(
+          {scene.particle_bodies[two.first].name,
+           scene.particle_bodies[two.second].name,
+           [&two] { return two.contact->deepest_penetration(); },
+           0.9 * two.contact->range()});
+    for (const auto &plate : scene.plate_bodies)
+      system.given_speed =
+          std::max({system.given_speed,
+                    plate.motion.typical_velocity().norm(),
+                    plate.deformation.initial_velocity.norm()});
+    return system;
   }
 
 

@@ -1,8 +1,12 @@
 #ifndef morsel_source_bite_h
 #define morsel_source_bite_h
 
+#include "guards.h"
+
 #include <morsel/contact/plate_contact.h>
 #include <morsel/core/log.h>
+#include <morsel/core/state_archive_fwd.h>
+#include <morsel/core/step_clock.h>
 #include <morsel/jaw/plate.h>
 #include <morsel/measure/energy_ledger.h>
 #include <morsel/scene/scene.h>
@@ -33,20 +37,32 @@ namespace Morsel
     double
     time() const
     {
-      return now;
+      return clock.time();
     }
 
     double
     time_step() const
     {
-      return dt;
+      return clock.time_step();
     }
 
     unsigned long long
     step() const
     {
-      return steps;
+      return clock.step();
     }
+
+    /// The largest that should do, whatever the scene says [s].
+    double
+    safe_time_step() const;
+
+    /// The steps from now on [s]; before evaluate().
+    void
+    change_time_step(double time_step);
+
+    /// What the guards look at; as long as this object lives.
+    GuardedSystem
+    guarded() const;
 
     /// How far the plates have approached each other along the closing
     /// direction [m].
@@ -81,10 +97,6 @@ namespace Morsel
 
     double
     deepest_penetration() const;
-
-    /// @throws NumericalError naming the first particle that is not finite.
-    void
-    check_finite() const;
 
     const SPH::Solid &
     food() const
@@ -131,6 +143,11 @@ namespace Morsel
     /// Total of the bodies' particles over all ranks.
     unsigned long long
     particle_count() const;
+
+    /// Saves or loads everything that changes, between advance() and the next
+    /// evaluate().
+    void
+    exchange_state(StateArchive &state);
 
   private:
     struct Pair
@@ -198,6 +215,14 @@ namespace Morsel
     limit_step_by_plates(
         const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic);
 
+    /// Tells those whose own integration knows the step.
+    void
+    adapt_to_time_step();
+
+    /// Of particles that stick to plates with inertia.
+    void
+    set_slipping_masses();
+
     const std::vector<ParticleForce> &
     press(Pair &pair);
 
@@ -210,6 +235,10 @@ namespace Morsel
 
     double
     stable_time_step() const;
+
+    /// The step that the scene names, or the automatic one.
+    void
+    choose_time_step();
 
     const Scene::Scene &scene;
     const MPI_Comm      communicator;
@@ -229,10 +258,9 @@ namespace Morsel
     std::vector<double> plate_frequencies;
     bool                deforms = false; ///< whether any plate does
 
-    unsigned int       axis  = 1;
-    double             dt    = 0.;
-    double             now   = 0.;
-    unsigned long long steps = 0;
+    unsigned int axis = 1;
+    StepClock    clock;
+    double       automatic_step = 0.; ///< [s]
   };
 } // namespace Morsel
 

@@ -129,12 +129,12 @@ namespace Morsel
                                            : press(pair));
     for (auto &two : neighbours)
       {
-        two.contact->compute(dt);
+        two.contact->compute(clock.time_step());
         solids[two.first]->apply_forces(two.contact->forces_on_first());
         solids[two.second]->apply_forces(two.contact->forces_on_second());
       }
     for (unsigned int s = 0; s < conditions.size(); ++s)
-      conditions[s].apply(*solids[s], now, dt);
+      conditions[s].apply(*solids[s], clock.time(), clock.time_step());
   }
 
 
@@ -154,7 +154,7 @@ namespace Morsel
          meeting.contact->compute(meeting.places,
                                   meeting.motion,
                                   n,
-                                  dt,
+                                  clock.time_step(),
                                   plates[meeting.second].surface))
       first.force[f.particle] += f.force;
   }

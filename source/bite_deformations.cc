@@ -38,10 +38,11 @@ namespace Morsel
           plates[p].set_deformation(std::make_unique<Jaw::DynamicDeformation>(
               std::move(elastic[p]),
               plates[p].body.deformation.initial_velocity,
-              dt,
+              clock.time_step(),
               communicator));
         deforms = deforms || plates[p].get_deformation() != nullptr;
       }
+    set_slipping_masses();
   }
 
 
@@ -59,9 +60,19 @@ namespace Morsel
                              solids[pair.solid]->contact_side().spacing,
                          plates[pair.plate].surface.tributary));
     limit_step_by_meetings(elastic);
-    const double stable = stable_time_step();
-    if (scene.time.time_step == 0.)
-      dt = stable;
+    choose_time_step();
+    if (clock.time_step() > automatic_step &&
+        *std::max_element(plate_frequencies.begin(), plate_frequencies.end()) >
+            0.)
+      log.warning("'Time/Time step' exceeds the stable step of contact with "
+                  "elastic plates, " +
+                  number_text(automatic_step) + " s.");
+  }
+
+
+  void
+  Bite::set_slipping_masses()
+  {
     // Friction that stops a particle against a surface at rest would turn a
     // light surface around.
     for (const auto &pair : pairs)
@@ -69,19 +80,14 @@ namespace Morsel
         {
           const auto   side      = solids[pair.solid]->contact_side();
           const double stiffness = pair.contact->stiffness();
-          const double frequency =
-              Jaw::contact_frequency(*elastic[pair.plate],
-                                     stiffness / side.spacing,
-                                     plates[pair.plate].surface.tributary,
-                                     dt);
+          const double frequency = Jaw::contact_frequency(
+              plates[pair.plate].get_deformation()->get_body(),
+              stiffness / side.spacing,
+              plates[pair.plate].surface.tributary,
+              clock.time_step());
           pair.contact->set_slipping_mass(
               1. / (1. / side.mass + frequency / stiffness));
         }
-    if (dt > stable && *std::max_element(plate_frequencies.begin(),
-                                         plate_frequencies.end()) > 0.)
-      log.warning("'Time/Time step' exceeds the stable step of contact with "
-                  "elastic plates, " +
-                  number_text(stable) + " s.");
   }
 
 
@@ -92,7 +98,7 @@ namespace Morsel
     return pair.contact->compute(particles.reference,
                                  particles.motion,
                                  particles.n_owned,
-                                 dt,
+                                 clock.time_step(),
                                  plates[pair.plate].surface);
   }
 
@@ -107,12 +113,15 @@ namespace Morsel
           press(pair);
           touches.push_back(&pair.contact->touches());
         }
-    while (!plates[plate].settle(touches, dt))
+    // Since the last equilibrium.
+    const double past =
+        clock.step() == 0 ? clock.time_step() : 2. * clock.lag();
+    while (!plates[plate].settle(touches, past))
       for (auto &pair : pairs)
         if (pair.plate == plate)
           pair.contact->compute_again(
               solids[pair.solid]->get_particles().motion,
-              dt,
+              clock.time_step(),
               plates[plate].surface);
   }
 } // namespace Morsel

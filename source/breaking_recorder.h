@@ -4,6 +4,7 @@
 #include "experiment.h"
 
 #include <morsel/core/expression.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/measure/breakage.h>
 #include <morsel/measure/stroke.h>
 #include <morsel/output/summary.h>
@@ -57,6 +58,9 @@ namespace Morsel
 
     std::vector<double>
     row() const;
+
+    void
+    exchange_state(StateArchive &state);
 
     /// Names of results without a body's name where only one can fail.
     void

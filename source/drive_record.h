@@ -3,6 +3,7 @@
 
 #include "bite.h"
 
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/output/summary.h>
 
 #include <string>
@@ -31,6 +32,9 @@ namespace Morsel
     follow(double mean_force);
 
     /// Collective.
+    void
+    exchange_state(StateArchive &state);
+
     void
     summarise(Output::Summary &summary) const;
 

@@ -1,5 +1,7 @@
 #include "experiment.h"
 
+#include "guarded.h"
+
 #include <morsel/core/errors.h>
 #include <morsel/sph/solid.h>
 #include <morsel/sph/updated_lagrangian.h>
@@ -18,7 +20,7 @@ namespace Morsel
     if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
       throw InputError("A scene without plates runs on one rank: start the "
                        "program without mpirun.");
-    dt = std::numeric_limits<double>::max();
+    automatic_step = std::numeric_limits<double>::max();
     for (const auto &body : scene.particle_bodies)
       {
         if (body.solid.is_updated())
@@ -28,16 +30,25 @@ namespace Morsel
           solids.push_back(
               std::make_unique<SPH::Solid>(body, scene, MPI_COMM_SELF));
         conditions.emplace_back(scene, body, *solids.back());
-        dt = std::min(dt, solids.back()->stable_time_step(0.));
+        automatic_step =
+            std::min(automatic_step, solids.back()->stable_time_step(0.));
       }
-    if (scene.time.time_step > 0.)
-      dt = scene.time.time_step;
+    clock.set_time_step(scene.time.time_step > 0. ? scene.time.time_step
+                                                  : automatic_step);
+  }
+
+
+  double
+  Experiment::safe_time_step() const
+  {
+    return automatic_step / largest_cfl_above_one(scene);
   }
 
 
   void
   Experiment::evaluate()
   {
+    const double dt = clock.time_step();
     {
       const auto timer = log.section("strain and forces");
       for (auto &solid : solids)
@@ -48,21 +59,22 @@ namespace Morsel
     }
     const auto timer = log.section("supports and loads");
     for (unsigned int k = 0; k < solids.size(); ++k)
-      conditions[k].apply(*solids[k], now, dt);
+      conditions[k].apply(*solids[k], clock.time(), dt);
   }
 
 
   void
   Experiment::advance()
   {
-    const auto timer = log.section("strain and forces");
+    const auto   timer = log.section("strain and forces");
+    const double dt    = clock.time_step();
     for (auto &solid : solids)
       {
         solid->grow_damage(dt);
         solid->advance(dt);
         solid->advance_grains(dt);
       }
-    now = ++steps * dt;
+    clock.advance();
   }
 
 
@@ -72,7 +84,7 @@ namespace Morsel
     Measure::Energies e;
     for (const auto &solid : solids)
       {
-        const auto s = solid->energies(dt);
+        const auto s = solid->energies();
         e.strain += s.strain;
         e.hourglass += s.hourglass;
         e.kinetic += s.kinetic;
@@ -127,27 +139,10 @@ namespace Morsel
   }
 
 
-  void
-  Experiment::check_finite() const
+  GuardedSystem
+  Experiment::guarded() const
   {
-    for (unsigned int s = 0; s < solids.size(); ++s)
-      {
-        const SPH::Particles &p = solids[s]->get_particles();
-        for (unsigned int i = 0; i < p.n_owned; ++i)
-          {
-            const Motion &m = p.motion[i];
-            if (std::isfinite(m.u_x + m.u_y + m.v_x + m.v_y))
-              continue;
-            std::ostringstream text;
-            text << "The motion of body '" << scene.particle_bodies[s].name
-                 << "' is not finite any more: particle " << p.id[i] << " at ("
-                 << p.reference[i] << ") m, at time " << now << " s, step "
-                 << steps
-                 << ". Lower 'CFL factor' or the load, or take 'Formulation' = "
-                    "'total Lagrangian' with hourglass control.";
-            throw NumericalError(text.str());
-          }
-      }
+    return guarded_bodies(scene, solids, MPI_COMM_SELF);
   }
 
 

@@ -1,7 +1,11 @@
 #ifndef morsel_source_experiment_h
 #define morsel_source_experiment_h
 
+#include "guards.h"
+
 #include <morsel/core/log.h>
+#include <morsel/core/state_archive_fwd.h>
+#include <morsel/core/step_clock.h>
 #include <morsel/measure/energy_ledger.h>
 #include <morsel/scene/scene.h>
 #include <morsel/sph/applied_conditions.h>
@@ -32,20 +36,35 @@ namespace Morsel
     double
     time() const
     {
-      return now;
+      return clock.time();
     }
 
     double
     time_step() const
     {
-      return dt;
+      return clock.time_step();
     }
 
     unsigned long long
     step() const
     {
-      return steps;
+      return clock.step();
     }
+
+    /// The largest that should do, whatever the scene says [s].
+    double
+    safe_time_step() const;
+
+    /// The steps from now on [s]; before evaluate().
+    void
+    change_time_step(const double time_step)
+    {
+      clock.set_time_step(time_step);
+    }
+
+    /// What the guards look at; as long as this object lives.
+    GuardedSystem
+    guarded() const;
 
     /// Everything in joules at the last evaluate().
     Measure::Energies
@@ -62,10 +81,6 @@ namespace Morsel
     Vector2
     force(unsigned int condition) const;
 
-    /// @throws NumericalError naming the first particle that is not finite.
-    void
-    check_finite() const;
-
     const std::vector<std::unique_ptr<SPH::DeformableBody>> &
     bodies() const
     {
@@ -79,6 +94,11 @@ namespace Morsel
     unsigned long long
     particle_count() const;
 
+    /// Saves or loads everything that changes, between advance() and the next
+    /// evaluate().
+    void
+    exchange_state(StateArchive &state);
+
   private:
     const Scene::Scene &scene;
     RunLog             &log;
@@ -86,9 +106,8 @@ namespace Morsel
     std::vector<std::unique_ptr<SPH::DeformableBody>> solids;
     std::vector<SPH::AppliedConditions>               conditions;
 
-    double             dt    = 0.;
-    double             now   = 0.;
-    unsigned long long steps = 0;
+    StepClock clock;
+    double    automatic_step = 0.; ///< [s]
   };
 } // namespace Morsel
 

@@ -68,8 +68,8 @@ namespace Morsel
       , breaking(scene, experiment)
       , energy(experiment.energies())
       , momentum(experiment.momentum())
-      , loop_wall_begin(log.wall_time())
   {
+    log.begin_loop();
     for (const auto &observer : scene.observers)
       {
         const unsigned int body = experiment.index_of(observer.body);
@@ -115,6 +115,35 @@ namespace Morsel
   }
 
 
+  bool
+  ExperimentRecorder::sample_is_due() const
+  {
+    return experiment.time() >= next_sample - 1e-9 * scene.time.end_time;
+  }
+
+
+  bool
+  ExperimentRecorder::frame_is_due() const
+  {
+    return !frames.empty() &&
+           experiment.time() >= next_frame - 1e-9 * scene.time.end_time;
+  }
+
+
+  bool
+  ExperimentRecorder::records_now() const
+  {
+    return sample_is_due() || frame_is_due();
+  }
+
+
+  double
+  ExperimentRecorder::progress() const
+  {
+    return std::min(1., experiment.time() / scene.time.end_time);
+  }
+
+
   void
   ExperimentRecorder::follow()
   {
@@ -129,13 +158,12 @@ namespace Morsel
         }
     if (breaking.active())
       breaking.follow();
-    const double tolerance = 1e-9 * scene.time.end_time;
-    if (experiment.time() >= next_sample - tolerance)
+    if (sample_is_due())
       {
         sample();
         next_sample += scene.time.end_time / scene.output.history_samples;
       }
-    if (!frames.empty() && experiment.time() >= next_frame - tolerance)
+    if (frame_is_due())
       {
         write_frame();
         next_frame +=
@@ -155,8 +183,7 @@ namespace Morsel
   void
   ExperimentRecorder::sample()
   {
-    const auto timer = log.section("measures");
-    experiment.check_finite();
+    const auto timer                     = log.section("measures");
     last_sample_time                     = experiment.time();
     const Measure::Energies e            = experiment.energies();
     const double            energy_error = energy.record(e, 0.);
@@ -274,7 +301,7 @@ namespace Morsel
 
 
   void
-  ExperimentRecorder::finish()
+  ExperimentRecorder::finish(const LoopReport &report)
   {
     if (last_sample_time < experiment.time())
       sample();
@@ -287,6 +314,7 @@ namespace Morsel
     breaking.summarise(summary);
     summarise_ledgers();
     summarise_run();
+    add_loop_report(summary, report);
     summary.write(options.output_directory + "/summary.json");
   }
 } // namespace Morsel

@@ -3,8 +3,10 @@
 
 #include "breaking_recorder.h"
 #include "experiment.h"
+#include "loop_report.h"
 
 #include <morsel/core/run_options.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/measure/crack_gauge.h>
 #include <morsel/measure/probe.h>
 #include <morsel/output/frames.h>
@@ -28,18 +30,36 @@ namespace Morsel
                        const Experiment   &experiment,
                        RunLog             &log);
 
+    /// Whether follow() is going to write something.
+    bool
+    records_now() const;
+
     /// Takes the present state in, after evaluate().
-    /// @throws NumericalError where the numbers went bad.
     void
     follow();
+
+    const Measure::EnergyLedger &
+    energy_ledger() const
+    {
+      return energy;
+    }
+
+    /// Share of the run that is done [1].
+    double
+    progress() const;
 
     /// Whether the scene's rule ends the run.
     bool
     finished() const;
 
+    /// Saves or loads what has been recorded; the files of the results are
+    /// brought back to it.
+    void
+    exchange_state(StateArchive &state);
+
     /// The last sample and summary.json.
     void
-    finish();
+    finish(const LoopReport &report);
 
   private:
     /// The tips of a body's cracks.
@@ -107,10 +127,15 @@ namespace Morsel
     std::vector<std::unique_ptr<Output::Frames<0>>> frames;
     Output::Summary                                 summary;
 
+    bool
+    sample_is_due() const;
+
+    bool
+    frame_is_due() const;
+
     double next_sample = 0., next_frame = 0.;
     double last_sample_time = -1., last_frame_time = -1.;
-    double least_spacing   = 2.;
-    double loop_wall_begin = 0.;
+    double least_spacing = 2.;
   };
 
 

@@ -1,15 +1,16 @@
 #include "experiment_run.h"
 
+#include "checkpoints.h"
 #include "experiment.h"
 #include "experiment_recorder.h"
 #include "static_run.h"
+#include "time_loop.h"
 #include "trial_steps.h"
 
 #include <morsel/core/atomic_file.h>
 #include <morsel/core/command_line.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/failure.h>
-#include <morsel/core/signals.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/measure/crack_gauge.h>
 
@@ -56,16 +57,31 @@ namespace Morsel
         run_static(scene, options);
         return;
       }
+    Checkpoints checkpoints(scene, options, MPI_COMM_SELF);
     FirstRank().run(
         [&] { prepare_output_directory(options.output_directory); });
-    RunLog log(options.output_directory + "/run.log", options.quiet, true);
+    RunLog log(options.output_directory + "/run.log",
+               options.quiet,
+               true,
+               options.resume);
+    checkpoints.begin(log);
     write_atomically(options.output_directory + "/used.prm",
                      scene.used_parameters);
     log << scene.title << '\n';
     for (const auto &advice : scene.warnings)
       log.warning(advice);
 
-    Experiment         experiment(scene, log);
+    TimeLoop<Experiment, ExperimentRecorder> loop(
+        [&] { return std::make_unique<Experiment>(scene, log); },
+        [&](Experiment &system) {
+          return std::make_unique<ExperimentRecorder>(
+              scene, options, system, log);
+        },
+        scene.time,
+        &checkpoints,
+        log,
+        MPI_COMM_SELF);
+    const Experiment  &experiment = loop.get_system();
     std::ostringstream text;
     text << experiment.particle_count() << " particles, step "
          << experiment.time_step() << " s, " << options.threads
@@ -73,27 +89,13 @@ namespace Morsel
          << Output::effects_as_text(effects_of_experiment(scene));
     log << text.str();
 
-    experiment.evaluate();
-    ExperimentRecorder recorder(scene, options, experiment, log);
-    bool               interrupted = false;
-    for (;;)
-      {
-        recorder.follow();
-        log.progress(std::min(1., experiment.time() / scene.time.end_time),
-                     experiment.time(),
-                     experiment.step());
-        interrupted = interrupt_requested();
-        if (interrupted || recorder.finished())
-          break;
-        experiment.advance();
-        experiment.evaluate();
-      }
-    recorder.finish();
+    const LoopReport report = loop.run();
+    loop.get_recorder().finish(report);
     log.print_wall_times();
-    if (interrupted)
-      throw Interrupted("Interrupted at " + std::to_string(experiment.time()) +
-                        " s; the results so far are in '" +
-                        options.output_directory + "'.");
+    end_run(report,
+            loop.get_system().time(),
+            "the results so far are in '" + options.output_directory + "'." +
+                checkpoints.advice());
   }
 
 

@@ -264,7 +264,7 @@ namespace Morsel
                     experiment.time_step(),
                     experiment.time(),
                     log.wall_time(),
-                    log.wall_time() - loop_wall_begin});
+                    log.loop_wall_time()});
     add_provenance(
         summary, scene.title, scene.name, scene.parameters_hash, MPI_COMM_SELF);
     for (const auto &effect : effects_of_experiment(scene))

@@ -55,12 +55,8 @@ namespace
         Study::run_study(command_line);
         return;
       }
-    if (command_line.resume)
-      throw InputError("--resume: there is no checkpoint in the folder of "
-                       "results to go on from; leave the option out to start "
-                       "anew.");
-
     RunOptions options = command_line.run;
+    options.resume     = command_line.resume;
     if (options.threads > 0)
       dealii::MultithreadInfo::set_thread_limit(options.threads);
     options.threads = dealii::MultithreadInfo::n_threads();

@@ -3,10 +3,12 @@
 
 #include "bite.h"
 #include "drive_record.h"
+#include "loop_report.h"
 #include "recorder_cracks.h"
 
 #include <morsel/contact/traction.h>
 #include <morsel/core/run_options.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/measure/breakage.h>
 #include <morsel/measure/energy_ledger.h>
 #include <morsel/measure/fracture_pattern.h>
@@ -29,9 +31,18 @@ namespace Morsel
   public:
     Cadence(unsigned int budget, double interval);
 
+    bool
+    is_due(const double time) const
+    {
+      return !(time < next * (1. - 1e-12));
+    }
+
     /// Whether something is due at @p time; it then counts as done.
     bool
     due(double time);
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     double budget, interval, next = 0., spent = 0., limit;
@@ -59,22 +70,42 @@ namespace Morsel
              RunLog             &log,
              MPI_Comm            communicator);
 
+    /// Whether follow() is going to write something.
+    bool
+    records_now() const;
+
     /// Takes the present state in: forces at every step, energies, history
     /// and fields when they are due.
-    /// @throws NumericalError where the numbers went bad.
     void
     follow();
 
+    const Measure::EnergyLedger &
+    energy_ledger() const
+    {
+      return energy;
+    }
+
     StopReason
     stop_reason() const;
+
+    bool
+    finished() const
+    {
+      return stop_reason() != StopReason::none;
+    }
 
     /// Share of the run that is done, as far as one can know [1].
     double
     progress() const;
 
+    /// Saves or loads what has been recorded; the files of the results are
+    /// brought back to it.
+    void
+    exchange_state(StateArchive &state);
+
     /// The last sample, fragments, and summary.json.
     void
-    finish(StopReason reason);
+    finish(const LoopReport &report);
 
   private:
     void
@@ -184,7 +215,6 @@ namespace Morsel
     unsigned int most_inverted    = 0;
     double       last_kinetic     = 0.;
     double       last_strain      = 0.;
-    double       loop_wall_begin  = 0.;
   };
 
 

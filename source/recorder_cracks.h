@@ -4,6 +4,7 @@
 #include "bite.h"
 
 #include <morsel/core/log.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/fracture/hoop_stress.h>
 #include <morsel/output/summary.h>
 
@@ -29,6 +30,9 @@ namespace Morsel
     /// @return a value for each column
     std::vector<double>
     follow(const std::vector<double> &forces);
+
+    void
+    exchange_state(StateArchive &state);
 
     void
     summarise(Output::Summary &summary) const;

@@ -306,7 +306,7 @@ namespace Morsel
                     bite.time_step(),
                     bite.time(),
                     log.wall_time(),
-                    log.wall_time() - loop_wall_begin});
+                    log.loop_wall_time()});
     add_provenance(
         summary, scene.title, scene.name, scene.parameters_hash, communicator);
     add_material(summary, scene.particle_bodies.front().material);

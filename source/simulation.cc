@@ -1,15 +1,16 @@
 #include "bite.h"
+#include "checkpoints.h"
 #include "costs.h"
 #include "elastic_plates.h"
 #include "experiment_run.h"
 #include "recorder.h"
+#include "time_loop.h"
 #include "trial_steps.h"
 
 #include <morsel/core/atomic_file.h>
 #include <morsel/core/command_line.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/failure.h>
-#include <morsel/core/signals.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/simulation.h>
 
@@ -75,13 +76,17 @@ namespace Morsel
         return;
       }
     check_cracked_bodies(scene);
+    const MPI_Comm  communicator = MPI_COMM_WORLD;
+    Checkpoints     checkpoints(scene, options, communicator);
     const FirstRank writer;
     writer.run([&] { prepare_output_directory(options.output_directory); });
-    const MPI_Comm communicator = MPI_COMM_WORLD;
-    const bool     first_rank =
+    const bool first_rank =
         dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-    RunLog log(
-        options.output_directory + "/run.log", options.quiet, first_rank);
+    RunLog log(options.output_directory + "/run.log",
+               options.quiet,
+               first_rank,
+               options.resume);
+    checkpoints.begin(log);
     if (first_rank)
       write_atomically(options.output_directory + "/used.prm",
                        scene.used_parameters);
@@ -89,8 +94,18 @@ namespace Morsel
     for (const auto &advice : scene.warnings)
       log.warning(advice);
 
-    Bite bite(scene, communicator, log);
+    TimeLoop<Bite, Recorder> loop(
+        [&] { return std::make_unique<Bite>(scene, communicator, log); },
+        [&](Bite &system) {
+          return std::make_unique<Recorder>(
+              scene, options, system, log, communicator);
+        },
+        scene.time,
+        &checkpoints,
+        log,
+        communicator);
     {
+      const Bite        &bite = loop.get_system();
       std::ostringstream text;
       text << bite.particle_count() << " particles, step " << bite.time_step()
            << " s, " << options.threads << " threads on "
@@ -100,29 +115,13 @@ namespace Morsel
       log << text.str();
     }
 
-    bite.evaluate();
-    Recorder   recorder(scene, options, bite, log, communicator);
-    StopReason reason = StopReason::none;
-    for (bool go_on = true; go_on;)
-      {
-        recorder.follow();
-        log.progress(recorder.progress(), bite.time(), bite.step());
-        reason = recorder.stop_reason();
-        go_on  = reason == StopReason::none &&
-                !dealii::Utilities::MPI::max(
-                    static_cast<int>(interrupt_requested()), communicator);
-        if (go_on)
-          {
-            bite.advance();
-            bite.evaluate();
-          }
-      }
-    recorder.finish(reason);
+    const LoopReport report = loop.run();
+    loop.get_recorder().finish(report);
     log.print_wall_times();
-    if (reason == StopReason::none)
-      throw Interrupted("Interrupted at " + std::to_string(1e3 * bite.time()) +
-                        " ms; the results so far are in '" +
-                        options.output_directory + "'.");
+    end_run(report,
+            loop.get_system().time(),
+            "the results so far are in '" + options.output_directory + "'." +
+                checkpoints.advice());
   }
 
 

@@ -2,6 +2,7 @@
 #include <morsel/contact/gap_penalty.h>
 #include <morsel/contact/plate_contact.h>
 #include <morsel/core/kernel.h>
+#include <morsel/core/state_archive.h>
 
 #include <algorithm>
 #include <cmath>
@@ -183,6 +184,15 @@ namespace Morsel::Contact
           stretch[c.particle] = 0.;
       }
     return forces;
+  }
+
+
+  void
+  PlateContact::exchange_state(StateArchive &state)
+  {
+    state.cache(candidates, facets_near, searched_at, searched_nodes);
+    state.particles(stretch, stretch_before);
+    state.sum(energy, heat, heat_before);
   }
 
 

@@ -1,5 +1,6 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/log.h>
+#include <morsel/core/state_archive.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,8 @@ namespace Morsel
 
   RunLog::RunLog(const std::string &file_name,
                  const bool         quiet,
-                 const bool         active)
+                 const bool         active,
+                 const bool         append)
       : to_terminal(active && !quiet)
       , active(active)
       , live_line_allowed(to_terminal && isatty(STDOUT_FILENO) != 0)
@@ -59,7 +61,7 @@ namespace Morsel
   {
     if (!active || file_name.empty())
       return;
-    file.open(file_name);
+    file.open(file_name, append ? std::ios::app : std::ios::trunc);
     if (!file)
       throw FileError("The log '" + file_name +
                       "' cannot be opened for writing.");
@@ -123,6 +125,11 @@ namespace Morsel
     const bool to_log = tenth > last_tenth;
     const bool live =
         live_line_allowed && seconds_between(last_shown, now) > 0.2;
+    if (first_fraction < 0.)
+      {
+        first_fraction = fraction;
+        first_step     = step;
+      }
     if (!to_log && !live)
       return;
 
@@ -131,11 +138,11 @@ namespace Morsel
                                  100. * std::min(1., fraction),
                                  1e3 * time,
                                  step);
-    if (elapsed > 0. && step > 0)
-      text += formatted("  %.0f steps/s", step / elapsed);
-    if (fraction > 1e-4 && fraction < 1.)
-      text +=
-          "  " + duration_text(elapsed / fraction * (1. - fraction)) + " left";
+    if (elapsed > 0. && step > first_step)
+      text += formatted("  %.0f steps/s", (step - first_step) / elapsed);
+    if (const double done = fraction - first_fraction;
+        done > 1e-4 && fraction < 1.)
+      text += "  " + duration_text(elapsed / done * (1. - fraction)) + " left";
 
     if (to_log)
       {
@@ -161,6 +168,7 @@ namespace Morsel
       std::cout << "\r\033[K" << std::flush;
     live_line_shown = false;
     last_tenth      = -1;
+    first_fraction  = -1.;
     progress_begin  = Clock::now();
   }
 
@@ -169,9 +177,12 @@ namespace Morsel
   RunLog::seconds_of(const char *name)
   {
     for (Part &part : parts)
-      if (part.name == name || std::strcmp(part.name, name) == 0)
-        return part.seconds;
-    parts.push_back({name, 0.});
+      if (part.literal == name || part.name == name)
+        {
+          part.literal = name;
+          return part.seconds;
+        }
+    parts.push_back({name, name, 0.});
     return parts.back().seconds;
   }
 
@@ -189,7 +200,36 @@ namespace Morsel
   double
   RunLog::wall_time() const
   {
-    return seconds_between(begin, Clock::now());
+    return seconds_before + seconds_between(begin, Clock::now());
+  }
+
+
+  void
+  RunLog::exchange_state(StateArchive &state)
+  {
+    double                   whole = wall_time();
+    std::vector<std::string> names;
+    std::vector<double>      seconds;
+    for (const Part &part : parts)
+      {
+        names.push_back(part.name);
+        seconds.push_back(part.seconds);
+      }
+    state.same(whole, loop_begin, names, seconds);
+    if (!state.loads())
+      return;
+    seconds_before += whole;
+    for (std::size_t k = 0; k < names.size(); ++k)
+      {
+        const auto part =
+            std::find_if(parts.begin(), parts.end(), [&](const Part &p) {
+              return p.name == names[k];
+            });
+        if (part != parts.end())
+          part->seconds += seconds[k];
+        else
+          parts.push_back({names[k], nullptr, seconds[k]});
+      }
   }
 
 
@@ -200,7 +240,7 @@ namespace Morsel
     *this << formatted("%-28s %10s %8s\n", "Wall time", "s", "share");
     for (const Part &part : parts)
       *this << formatted("%-28s %10.3f %6.1f %%\n",
-                         part.name,
+                         part.name.c_str(),
                          part.seconds,
                          whole > 0. ? 100. * part.seconds / whole : 0.);
     *this << formatted("%-28s %10.3f %6.1f %%\n", "whole run", whole, 100.)

@@ -6,12 +6,19 @@ namespace Morsel
 {
   namespace
   {
-    volatile std::sig_atomic_t signal_arrived = 0;
+    volatile std::sig_atomic_t signal_arrived    = 0;
+    volatile std::sig_atomic_t checkpoint_wanted = 0;
 
     extern "C" void
     note_signal(int)
     {
       signal_arrived = 1;
+    }
+
+    extern "C" void
+    note_checkpoint(int)
+    {
+      checkpoint_wanted = 1;
     }
   } // namespace
 
@@ -25,6 +32,9 @@ namespace Morsel
     action.sa_flags = SA_RESETHAND | SA_RESTART;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    action.sa_handler = note_checkpoint;
+    action.sa_flags   = SA_RESTART;
+    sigaction(SIGUSR1, &action, nullptr);
   }
 
 
@@ -32,5 +42,14 @@ namespace Morsel
   interrupt_requested()
   {
     return signal_arrived != 0;
+  }
+
+
+  bool
+  take_checkpoint_request()
+  {
+    const bool wanted = checkpoint_wanted != 0;
+    checkpoint_wanted = 0;
+    return wanted;
   }
 } // namespace Morsel

@@ -113,6 +113,16 @@ namespace Morsel::Jaw
 
 
   void
+  DynamicDeformation::change_time_step(const double time_step)
+  {
+    if (time_step == dt)
+      return;
+    dt      = time_step;
+    factors = body->factorise(1., 4. / (dt * dt));
+  }
+
+
+  void
   DynamicDeformation::advance(const double time_step)
   {
     half_velocity += last_drive.kick * acceleration;

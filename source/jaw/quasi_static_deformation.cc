@@ -1,4 +1,5 @@
 #include <morsel/core/errors.h>
+#include <morsel/core/state_archive.h>
 #include <morsel/jaw/quasi_static_deformation.h>
 
 #include <algorithm>
@@ -49,14 +50,21 @@ namespace Morsel::Jaw
   {
     for (const auto *const list : touches)
       for (const auto &share : list->shares)
-        for (unsigned int d = 0; d < 2; ++d)
-          if (auto &column = compliance[share.first][d]; column.size() == 0)
-            {
-              const Eigen::VectorXd unit =
-                  Eigen::VectorXd::Unit(w.size(), 2 * share.first + d);
-              column = body->trace() *
-                       factors.solve(body->trace().transpose() * unit);
-            }
+        make_columns(share.first);
+  }
+
+
+  void
+  QuasiStaticDeformation::make_columns(const unsigned int node)
+  {
+    for (unsigned int d = 0; d < 2; ++d)
+      if (auto &column = compliance[node][d]; column.size() == 0)
+        {
+          const Eigen::VectorXd unit =
+              Eigen::VectorXd::Unit(w.size(), 2 * node + d);
+          column =
+              body->trace() * factors.solve(body->trace().transpose() * unit);
+        }
   }
 
 
@@ -112,7 +120,15 @@ namespace Morsel::Jaw
                       list->shares[i].second * list->shares[j].second *
                       stiffness[c][d];
         }
-    Eigen::MatrixXd C(n, n);
+    factorise_matrix();
+  }
+
+
+  void
+  QuasiStaticDeformation::factorise_matrix()
+  {
+    const unsigned int n = 2 * touched.size();
+    Eigen::MatrixXd    C(n, n);
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
         C(i, j) = compliance[touched[j / 2]][j % 2][2 * touched[i / 2] + i % 2];
@@ -189,6 +205,27 @@ namespace Morsel::Jaw
                                   const DriveKick &)
   {
     return -surface.total_force();
+  }
+
+
+  void
+  QuasiStaticDeformation::exchange_state(StateArchive &state)
+  {
+    state.same(R, w, force, settled_last, rate);
+    state.same(attempt, last_residual, evaluations, touched);
+    Eigen::VectorXd entries = contact_stiffness.reshaped();
+    state.same(entries);
+    if (!state.loads())
+      return;
+    const unsigned int n = 2 * touched.size();
+    contact_stiffness    = entries.reshaped(n, n);
+    std::fill(place.begin(), place.end(), -1);
+    for (unsigned int k = 0; k < touched.size(); ++k)
+      {
+        place[touched[k]] = k;
+        make_columns(touched[k]);
+      }
+    factorise_matrix();
   }
 
 

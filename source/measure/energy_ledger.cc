@@ -53,12 +53,11 @@ namespace Morsel::Measure
   double
   EnergyLedger::record(const Energies &energies, const double force)
   {
-    last_sample      = energies;
-    largest          = std::max(largest, energies.largest_term());
-    const double gap = energies.external_work + initial - energies.stored() -
-                       energies.dissipated();
-    error_last = largest > 0. ? std::abs(gap) / largest : 0.;
-    worst_gap  = std::max(worst_gap, std::abs(gap));
+    last_sample          = energies;
+    largest              = largest_term(energies);
+    const double gap_now = gap(energies);
+    error_last           = largest > 0. ? gap_now / largest : 0.;
+    worst_gap            = std::max(worst_gap, gap_now);
     if (force > peak_force)
       {
         peak_force  = force;
@@ -66,6 +65,21 @@ namespace Morsel::Measure
         peak_sample = energies;
       }
     return error_last;
+  }
+
+
+  double
+  EnergyLedger::gap(const Energies &energies) const
+  {
+    return std::abs(energies.external_work + initial - energies.stored() -
+                    energies.dissipated());
+  }
+
+
+  double
+  EnergyLedger::largest_term(const Energies &energies) const
+  {
+    return std::max(largest, energies.largest_term());
   }
 
 

@@ -1,5 +1,6 @@
 #include <morsel/core/atomic_file.h>
 #include <morsel/core/errors.h>
+#include <morsel/core/state_archive.h>
 #include <morsel/output/frames.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -8,7 +9,13 @@
 
 #include <deal.II/grid/reference_cell.h>
 
+#include <boost/archive/text_iarchive.hpp>
+#include <boost/archive/text_oarchive.hpp>
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <cmath>
+#include <sstream>
 #include <tuple>
 
 namespace Morsel::Output
@@ -248,7 +255,37 @@ namespace Morsel::Output
         for (const auto &component : component_names(field))
           entry.add_attribute(component, 1);
     entries.push_back(entry);
-    if (MPI::this_mpi_process(communicator) == 0)
+    write_series();
+  }
+
+
+  template <int dim>
+  void
+  Frames<dim>::exchange_state(StateArchive &state)
+  {
+    std::string text;
+    if (!state.loads())
+      {
+        std::ostringstream            stream;
+        boost::archive::text_oarchive archive(stream);
+        archive << entries;
+        text = stream.str();
+      }
+    state.same(text);
+    if (!state.loads())
+      return;
+    std::istringstream            stream(text);
+    boost::archive::text_iarchive archive(stream);
+    archive >> entries;
+    write_series();
+  }
+
+
+  template <int dim>
+  void
+  Frames<dim>::write_series() const
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       write_atomically(
           folder + "/" + name + ".xdmf",
           xdmf_document(entries, dealii::ReferenceCells::get_hypercube<dim>()));

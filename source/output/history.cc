@@ -4,10 +4,13 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <sstream>
+#include <system_error>
 
 namespace Morsel::Output
 {
@@ -68,18 +71,41 @@ namespace Morsel::Output
   void
   History::add_row(const std::vector<double> &values)
   {
-    stream << row(file_name, columns, values) << std::flush;
+    const std::string line = row(file_name, columns, values);
+    stream << line << std::flush;
+    if (!stream)
+      {
+        const std::string reason = std::strerror(errno);
+        // What there is remains a table of complete rows.
+        stream.close();
+        std::error_code ignored;
+        std::filesystem::resize_file(
+            file_name, header(columns).size() + content.size(), ignored);
+        throw FileError("Cannot write to '" + file_name + "': " + reason + ".");
+      }
+    content += line;
+    ++row_count;
+  }
+
+
+  void
+  History::restore(const std::string &rows)
+  {
+    content   = rows;
+    row_count = std::count(rows.begin(), rows.end(), '\n');
+    stream.close();
+    write_atomically(file_name, header(columns) + content);
+    stream.open(file_name, std::ios::app);
     if (!stream)
       throw FileError("Cannot write to '" + file_name +
                       "': " + std::strerror(errno) + ".");
-    ++rows;
   }
 
 
   unsigned int
   History::n_rows() const
   {
-    return rows;
+    return row_count;
   }
 
 

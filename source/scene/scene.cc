@@ -220,6 +220,12 @@ namespace Morsel::Scene
                       time_step,
                       "Fixed time step [s]; 0 takes the largest stable one.",
                       Patterns::Double(0.));
+    prm.add_parameter("Retries",
+                      retries,
+                      "Where a guard finds bad numbers, the run goes back to "
+                      "the last good state and on with half the time step, at "
+                      "most so many times [1]; 0 stops it at once.",
+                      Patterns::Integer(0, 20));
   }
 
 
@@ -268,6 +274,15 @@ namespace Morsel::Scene
                       history_samples,
                       "At most about so many rows of the history [1].",
                       Patterns::Integer(2, 10000000));
+    prm.add_parameter("Checkpoint interval",
+                      checkpoint_interval,
+                      "Wall time from one checkpoint to the next, from which "
+                      "--resume goes on [min]; 0 = only on signals.",
+                      Patterns::Double(0., 1e6));
+    prm.add_parameter("Checkpoints kept",
+                      checkpoints_kept,
+                      "How many of the newest checkpoints are kept [1].",
+                      Patterns::Integer(1, 1000));
   }
 
 

@@ -1,3 +1,5 @@
+#include <morsel/core/errors.h>
+#include <morsel/core/suggestions.h>
 #include <morsel/sph/applied_conditions.h>
 
 #include <algorithm>
@@ -7,8 +9,13 @@ namespace Morsel::SPH
 {
   namespace
   {
+    /// By which prescribed velocities may be missed, over the largest.
+    constexpr double largest_miss = 1e-6;
+
+
     /// Corrects accelerations until all prescribed velocities hold. Conditions
     /// that meet at a corner share particles: Gauss-Seidel on reactions.
+    /// @throws NumericalError where conditions contradict each other
     void
     hold(const std::vector<std::unique_ptr<AppliedCondition>> &conditions,
          Particles                                            &particles,
@@ -29,6 +36,15 @@ namespace Morsel::SPH
             first_gap = largest.gap;
           if (!(largest.gap > 1e-12 * first_gap + 1e-14 * largest.speed))
             break;
+          if (sweep + 1 == most_sweeps &&
+              largest.gap > largest_miss * largest.speed)
+            throw NumericalError(
+                "The conditions of body '" + conditions.front()->body() +
+                "' prescribe motions that contradict each other (they are "
+                "missed by " +
+                number_text(largest.gap) + " of " + number_text(largest.speed) +
+                " m/s): let each side be moved or held by one of them, and "
+                "let those that meet at a corner agree there");
         }
     }
   } // namespace
@@ -199,9 +215,9 @@ namespace Morsel::SPH
                            const double    time,
                            const double    time_step)
   {
-    const double half_step = started ? 0.5 * time_step : 0.;
+    const double half_step = 0.5 * last_step;
     const double kick      = half_step + 0.5 * time_step;
-    started                = true;
+    last_step              = time_step;
     Particles &particles   = solid.state();
     bool       damped      = false;
     for (auto &condition : conditions)

@@ -92,7 +92,7 @@ namespace Morsel::SPH
   {
     if (moved_far())
       search();
-    energy = 0.;
+    energy = penetration = 0.;
     forces[0].clear();
     forces[1].clear();
     for (const auto &pair : pairs)
@@ -115,6 +115,7 @@ namespace Morsel::SPH
     const double  speed = slip.norm();
     auto          f     = -k * gap * n;
     energy += 0.5 * k * gap * gap;
+    penetration = std::max(penetration, -gap);
     if (friction > 0. && speed > 0.)
       {
         const double lighter = std::min(a.mass[pair.i], b.mass[pair.j]);

@@ -20,10 +20,10 @@ namespace Morsel::SPH
   void
   Leapfrog::advance(Particles &particles, const double dt)
   {
-    const double before  = lag(dt);
+    const double before  = lag();
     const double kick    = before + 0.5 * dt;
     const bool   viscous = !particles.viscous.empty();
-    started              = true;
+    last_step            = dt;
     parallel_for(particles.n_owned, [&](unsigned int begin, unsigned int end) {
       for (unsigned int i = begin; i < end; ++i)
         {
@@ -45,14 +45,12 @@ namespace Morsel::SPH
 
 
   double
-  kinetic_energy(const Leapfrog  &leapfrog,
-                 const Particles &particles,
-                 const double     time_step)
+  kinetic_energy(const Leapfrog &leapfrog, const Particles &particles)
   {
     double sum = 0.;
     for (unsigned int i = 0; i < particles.n_owned; ++i)
       {
-        const Vector2 v = leapfrog.velocity(particles, i, time_step);
+        const Vector2 v = leapfrog.velocity(particles, i);
         sum += 0.5 * particles.mass[i] * (v.x * v.x + v.y * v.y);
       }
     return sum;
@@ -60,12 +58,10 @@ namespace Morsel::SPH
 
 
   double
-  viscous_heat(const Leapfrog  &leapfrog,
-               const Particles &particles,
-               const double     time_step)
+  viscous_heat(const Leapfrog &leapfrog, const Particles &particles)
   {
     double       sum = 0.;
-    const double lag = leapfrog.lag(time_step);
+    const double lag = leapfrog.lag();
     for (unsigned int i = 0;
          i < (particles.viscous.empty() ? 0 : particles.n_owned);
          ++i)

@@ -16,7 +16,7 @@ namespace Morsel::SPH
 
 
   SolidEnergies
-  Solid::energies(const double time_step) const
+  Solid::energies() const
   {
     SolidEnergies e;
     for (unsigned int i = 0; i < particles.n_owned; ++i)
@@ -32,8 +32,8 @@ namespace Morsel::SPH
         e.hourglass +=
             particles.hourglass[i] * fit_residual(particles, bonds, i);
       }
-    e.kinetic      = kinetic_energy(leapfrog, particles, time_step);
-    e.viscous_heat = viscous_heat(leapfrog, particles, time_step);
+    e.kinetic      = kinetic_energy(leapfrog, particles);
+    e.viscous_heat = viscous_heat(leapfrog, particles);
     if (fracture)
       {
         e.damage_heat   = sum(particles.damage_heat);
@@ -142,12 +142,15 @@ namespace Morsel::SPH
 
 
   long
-  Solid::first_not_finite() const
+  Solid::first_inverted() const
   {
+    if (linear_law)
+      return -1;
     for (unsigned int i = 0; i < particles.n_owned; ++i)
       {
-        const Motion &m = particles.motion[i];
-        if (!std::isfinite(m.u_x + m.u_y + m.v_x + m.v_y))
+        const Materials::Tensor2 &H = particles.gradient[i];
+        const double              J = (1. + H.xx) * (1. + H.yy) - H.xy * H.yx;
+        if (!(J > 0.) && !(fracture && particles.failed[i]))
           return i;
       }
     return -1;

@@ -1,4 +1,5 @@
 #include <morsel/core/errors.h>
+#include <morsel/core/suggestions.h>
 #include <morsel/sph/field_vectors.h>
 #include <morsel/sph/neighbour_stiffness.h>
 #include <morsel/sph/static_solid.h>
@@ -25,6 +26,7 @@ namespace Morsel::SPH
     constexpr unsigned int simple_multiplier_step_count = 8;
     constexpr double       final_tolerance              = 1e-13;
     constexpr double       gap_tolerance                = 1e-12;
+    constexpr double       largest_gap                  = 1e-6;
     constexpr unsigned int largest_iteration_count      = 2000;
 
 
@@ -337,6 +339,14 @@ namespace Morsel::SPH
         improve(x, factors, final_tolerance);
         improve_multipliers(x, factors, 0.1 * gap_tolerance);
         step(final_tolerance);
+        if (!(report.support_gap < largest_gap))
+          throw NumericalError(
+              "The particles' supports were not met after " +
+              std::to_string(report.n_multiplier_steps) +
+              " steps of their multipliers (gap " +
+              number_text(report.support_gap) +
+              " of the largest displacement): supports that contradict each "
+              "other where they meet; let each side be held by one condition.");
       }
     const VectorField    u       = to_field(x);
     Vector<double>       balance = to_vector(inner_force(u));

@@ -281,10 +281,10 @@ namespace Morsel::SPH
 
 
   SolidEnergies
-  UpdatedLagrangian::energies(const double time_step) const
+  UpdatedLagrangian::energies() const
   {
     SolidEnergies e;
-    e.kinetic      = kinetic_energy(leapfrog, particles, time_step);
+    e.kinetic      = kinetic_energy(leapfrog, particles);
     e.strain       = sum(stress_work);
     e.viscous_heat = sum(particles.viscous_heat);
     e.artificial   = sum(artificial_heat);
@@ -296,6 +296,16 @@ namespace Morsel::SPH
   UpdatedLagrangian::momentum() const
   {
     return half_step_momentum(particles);
+  }
+
+
+  long
+  UpdatedLagrangian::first_inverted() const
+  {
+    const auto bad = std::find_if(density.begin(),
+                                  density.end(),
+                                  [](const double d) { return !(d > 0.); });
+    return bad == density.end() ? -1 : bad - density.begin();
   }
 
 

@@ -118,9 +118,9 @@ namespace Morsel::SPH
 
 
   inline double
-  mechanical_energy(const Solid &solid, const double dt)
+  mechanical_energy(const Solid &solid)
   {
-    const auto e = solid.energies(dt);
+    const auto e = solid.energies();
     return e.strain + e.hourglass + e.kinetic;
   }
 } // namespace Morsel::SPH

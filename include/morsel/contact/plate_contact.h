@@ -6,6 +6,7 @@
 #include <morsel/contact/touches.h>
 #include <morsel/core/particle_edges.h>
 #include <morsel/core/records.h>
+#include <morsel/core/state_archive_fwd.h>
 
 #include <memory>
 #include <vector>
@@ -84,6 +85,10 @@ namespace Morsel::Contact
     {
       slipping_mass = mass;
     }
+
+    /// @pre the archive knows the names of the particles
+    void
+    exchange_state(StateArchive &state);
 
     /// Stiffness of one particle against the surface [N/m]; bounds the step.
     virtual double

@@ -1,6 +1,8 @@
 #ifndef morsel_core_log_h
 #define morsel_core_log_h
 
+#include <morsel/core/state_archive_fwd.h>
+
 #include <chrono>
 #include <deque>
 #include <fstream>
@@ -21,8 +23,12 @@ namespace Morsel
     /// @param file_name run.log, or empty for none.
     /// @param quiet nothing goes to the terminal.
     /// @param active whether this rank writes at all (rank 0).
+    /// @param append to what a run that goes on has logged.
     /// @throw FileError if the file cannot be opened.
-    RunLog(const std::string &file_name, bool quiet, bool active);
+    RunLog(const std::string &file_name,
+           bool               quiet,
+           bool               active,
+           bool               append = false);
 
     ~RunLog();
 
@@ -99,6 +105,25 @@ namespace Morsel
     double
     wall_time() const;
 
+    /// What the time of a run that goes on began with: loading adds the
+    /// times of before to those from now on.
+    void
+    exchange_state(StateArchive &state);
+
+    /// From here on the run's loop counts, see loop_wall_time().
+    void
+    begin_loop()
+    {
+      loop_begin = wall_time();
+    }
+
+    /// Seconds since begin_loop().
+    double
+    loop_wall_time() const
+    {
+      return wall_time() - loop_begin;
+    }
+
     /// Writes the table of parts, with shares of the whole.
     void
     print_wall_times();
@@ -106,7 +131,8 @@ namespace Morsel
   private:
     struct Part
     {
-      const char *name;
+      std::string name;
+      const char *literal; ///< by which it was asked for last
       double      seconds;
     };
 
@@ -124,9 +150,14 @@ namespace Morsel
     bool              live_line_allowed;
     bool              live_line_shown = false;
     Clock::time_point begin;
+    double            seconds_before = 0.; ///< of the run that goes on
+    double            loop_begin     = 0.; ///< [s]
     Clock::time_point progress_begin;
     Clock::time_point last_shown;
     int               last_tenth = -1;
+    /// When progress began; of a run that goes on not zero.
+    double             first_fraction = -1.;
+    unsigned long long first_step     = 0;
     /// A deque, since open sections point into it while it grows.
     std::deque<Part> parts;
   };

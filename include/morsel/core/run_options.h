@@ -10,6 +10,7 @@ namespace Morsel
   {
     std::string  output_directory;      ///< exists and is writable once running
     unsigned int threads       = 1;     ///< per rank
+    bool         resume        = false; ///< from the newest good checkpoint
     bool         quiet         = false; ///< nothing on the terminal but errors
     bool         validate_only = false; ///< check the scene, run nothing
   };

@@ -3,15 +3,21 @@
 
 namespace Morsel
 {
-  /// From now on SIGINT and SIGTERM set a flag that the time loop polls; a
-  /// second signal of the same kind ends the program at once.
+  /// From now on SIGINT and SIGTERM ask the program to end when it can; a
+  /// second signal of the same kind ends the program at once. SIGUSR1 asks
+  /// for a checkpoint.
   void
   catch_signals();
 
-  /// Whether SIGINT or SIGTERM has arrived on this rank. Cheap: call it every
-  /// step.
+
+  /// Whether SIGINT or SIGTERM has arrived.
   bool
   interrupt_requested();
+
+
+  /// Whether SIGUSR1 has arrived since the last call.
+  bool
+  take_checkpoint_request();
 } // namespace Morsel
 
 #endif

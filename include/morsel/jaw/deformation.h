@@ -3,6 +3,7 @@
 
 #include <morsel/contact/surface.h>
 #include <morsel/contact/touches.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/fe/elastic_body.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -71,6 +72,11 @@ namespace Morsel::Jaw
     virtual dealii::Tensor<1, 2>
     account(const Contact::Surface &surface, const DriveKick &drive) = 0;
 
+    /// The steps from now on [s]; before account().
+    virtual void
+    change_time_step(double /*time_step*/)
+    {}
+
     /// Moves on by a time step [s].
     virtual void
     advance(double time_step) = 0;
@@ -101,6 +107,9 @@ namespace Morsel::Jaw
     /// By dof, relative to the drive [m].
     virtual Eigen::VectorXd
     displacement() const = 0;
+
+    virtual void
+    exchange_state(StateArchive &state) = 0;
 
     const FE::ElasticBody &
     get_body() const

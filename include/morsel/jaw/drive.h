@@ -1,6 +1,7 @@
 #ifndef morsel_jaw_drive_h
 #define morsel_jaw_drive_h
 
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/jaw/muscle.h>
 #include <morsel/jaw/prescribed_motion.h>
 
@@ -43,6 +44,11 @@ namespace Morsel::Jaw
     /// stands still.
     virtual dealii::Tensor<1, 2>
     direction(const dealii::Point<2> &place) const = 0;
+
+    /// Nothing for a prescribed motion.
+    virtual void
+    exchange_state(StateArchive & /*state*/)
+    {}
   };
 
 
@@ -87,6 +93,9 @@ namespace Morsel::Jaw
 
     void
     advance(double time_step) override;
+
+    void
+    exchange_state(StateArchive &state) override;
 
     /// How far it has moved [m or rad], and how fast.
     double

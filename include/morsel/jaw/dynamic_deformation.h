@@ -31,6 +31,9 @@ namespace Morsel::Jaw
     account(const Contact::Surface &surface, const DriveKick &drive) override;
 
     void
+    change_time_step(double time_step) override;
+
+    void
     advance(double time_step) override;
 
     double
@@ -50,10 +53,13 @@ namespace Morsel::Jaw
       return w;
     }
 
+    void
+    exchange_state(StateArchive &state) override;
+
   private:
     const MPI_Comm   communicator;
     const bool       first_rank;
-    const double     dt;
+    double           dt;
     FE::Multifrontal factors; ///< of K + 4 M/dt^2
 
     /// Mass and stiffness times a uniform displacement of all dofs or of

@@ -60,6 +60,14 @@ namespace Morsel::Jaw
     void
     account(double kick, double time_step);
 
+    /// The steps from now on [s]; before account().
+    void
+    change_time_step(const double time_step)
+    {
+      if (deformation)
+        deformation->change_time_step(time_step);
+    }
+
     /// Moves the deformation on.
     void
     advance(const double time_step)
@@ -110,6 +118,9 @@ namespace Morsel::Jaw
     {
       return impulse_given;
     }
+
+    void
+    exchange_state(StateArchive &state);
 
     const Scene::PlateBody &body;
     Contact::Surface        surface;

@@ -55,11 +55,17 @@ namespace Morsel::Jaw
       return evaluations;
     }
 
+    void
+    exchange_state(StateArchive &state) override;
+
   private:
     using TouchLists = std::vector<const Contact::Touches *>;
 
     void
     make_columns(const TouchLists &touches);
+
+    void
+    make_columns(unsigned int node);
 
     Eigen::VectorXd
     deflection(const Eigen::VectorXd &f) const;
@@ -70,6 +76,10 @@ namespace Morsel::Jaw
 
     void
     make_matrix(const TouchLists &touches);
+
+    /// That of the nodes touched, from their contact stiffness.
+    void
+    factorise_matrix();
 
     FE::Multifrontal factors;
     /// By node, component: the displacement of all nodes under a unit force

@@ -1,6 +1,7 @@
 #ifndef morsel_measure_breakage_h
 #define morsel_measure_breakage_h
 
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/measure/crack_growth.h>
 #include <morsel/measure/fragments.h>
 #include <morsel/sph/solid.h>
@@ -49,6 +50,9 @@ namespace Morsel::Measure
     {
       return growth;
     }
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     const SPH::Solid        &solid;

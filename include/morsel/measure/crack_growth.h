@@ -1,6 +1,7 @@
 #ifndef morsel_measure_crack_growth_h
 #define morsel_measure_crack_growth_h
 
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/materials/elasticity.h>
 #include <morsel/sph/solid.h>
 
@@ -60,6 +61,9 @@ namespace Morsel::Measure
     /// straight crack, two or more for one that has branched before.
     unsigned int
     branch_count() const;
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     struct Advance

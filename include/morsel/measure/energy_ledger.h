@@ -1,6 +1,8 @@
 #ifndef morsel_measure_energy_ledger_h
 #define morsel_measure_energy_ledger_h
 
+#include <morsel/core/state_archive_fwd.h>
+
 #include <deal.II/base/tensor.h>
 
 #include <vector>
@@ -59,6 +61,15 @@ namespace Morsel::Measure
     double
     record(const Energies &energies, double force);
 
+    /// |work + initial - stored - dissipated| [J], without recording it; not a
+    /// number if a term is not.
+    double
+    gap(const Energies &energies) const;
+
+    /// Seen so far or now [J].
+    double
+    largest_term(const Energies &energies) const;
+
     double
     error_at_peak() const;
 
@@ -77,6 +88,9 @@ namespace Morsel::Measure
     /// The sample of the largest force.
     const Energies &
     at_peak() const;
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     double   initial;
@@ -113,6 +127,9 @@ namespace Morsel::Measure
     /// The largest gap of all samples, over the largest term.
     double
     largest_error() const;
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     dealii::Tensor<1, 2> initial;

@@ -1,6 +1,7 @@
 #ifndef morsel_measure_probe_h
 #define morsel_measure_probe_h
 
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/materials/elasticity.h>
 #include <morsel/sph/deformable_body.h>
 
@@ -64,6 +65,9 @@ namespace Morsel::Measure
     {
       return count > 1 ? periods() / (last - first) : 0.;
     }
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     bool         begun     = false;

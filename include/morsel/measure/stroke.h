@@ -1,6 +1,8 @@
 #ifndef morsel_measure_stroke_h
 #define morsel_measure_stroke_h
 
+#include <morsel/core/state_archive_fwd.h>
+
 #include <optional>
 #include <vector>
 
@@ -130,6 +132,9 @@ namespace Morsel::Measure
     /// peak.
     std::optional<double>
     residual_strength() const;
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     /// What the analysis after the fact needs of a sample.

@@ -1,6 +1,8 @@
 #ifndef morsel_output_frames_h
 #define morsel_output_frames_h
 
+#include <morsel/core/state_archive_fwd.h>
+
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
@@ -64,11 +66,20 @@ namespace Morsel::Output
     unsigned int
     n_frames() const;
 
+    /// Which moments the series has; on loading later ones are forgotten and
+    /// will be written over. Collective.
+    void
+    exchange_state(StateArchive &state);
+
     /// This process's rank among those that write the series.
     unsigned int
     rank() const;
 
   private:
+    /// The file that ParaView opens.
+    void
+    write_series() const;
+
     const std::string              folder;
     const std::string              name;
     const MPI_Comm                 communicator;

@@ -30,11 +30,23 @@ namespace Morsel::Output
     unsigned int
     n_rows() const;
 
+    /// The text of all rows.
+    const std::string &
+    rows() const
+    {
+      return content;
+    }
+
+    /// Writes the file anew with these rows.
+    void
+    restore(const std::string &rows);
+
   private:
     std::string              file_name;
     std::vector<std::string> columns;
     std::ofstream            stream;
-    unsigned int             rows = 0;
+    std::string              content; ///< all rows
+    unsigned int             row_count = 0;
   };
 
 

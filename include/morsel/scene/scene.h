@@ -125,6 +125,8 @@ namespace Morsel::Scene
     std::string solution  = "transient"; ///< or "static"
     double      end_time  = 0.4;         ///< [s]
     double      time_step = 0.;          ///< [s], 0 = the stable step
+    /// With half the step from a good state, where the numbers go bad.
+    unsigned int retries = 4;
 
     bool
     is_static() const
@@ -160,6 +162,9 @@ namespace Morsel::Scene
     bool         fields          = true;
     unsigned int field_frames    = 40;  ///< about so many moments
     unsigned int history_samples = 600; ///< about so many rows at most
+    /// Of wall time from checkpoint to checkpoint [min], 0 = on signals only.
+    double       checkpoint_interval = 10.;
+    unsigned int checkpoints_kept    = 2;
 
     void
     declare(dealii::ParameterHandler &prm);

@@ -2,6 +2,7 @@
 #define morsel_sph_applied_conditions_h
 
 #include <morsel/core/expression.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/scene/scene.h>
 #include <morsel/sph/deformable_body.h>
 
@@ -85,11 +86,20 @@ namespace Morsel::SPH
       return condition.kind == "damping";
     }
 
+    const std::string &
+    body() const
+    {
+      return condition.body;
+    }
+
     bool
     prescribes_motion() const
     {
       return condition.prescribes_motion();
     }
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     struct Loaded
@@ -156,6 +166,7 @@ namespace Morsel::SPH
 
     /// Turns the accelerations of the inner forces into those with all
     /// conditions, once a step, after compute_accelerations().
+    /// @param time_step that follows [s]
     void
     apply(DeformableBody &solid, double time, double time_step);
 
@@ -172,10 +183,13 @@ namespace Morsel::SPH
       return places;
     }
 
+    void
+    exchange_state(StateArchive &state);
+
   private:
     std::vector<std::unique_ptr<AppliedCondition>> conditions;
     std::vector<unsigned int>                      places;
-    bool                                           started = false;
+    double                                         last_step = 0.; ///< [s]
   };
 } // namespace Morsel::SPH
 

@@ -2,6 +2,7 @@
 #define morsel_sph_body_contact_h
 
 #include <morsel/core/records.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/sph/neighbours.h>
 #include <morsel/sph/particles.h>
 
@@ -53,6 +54,20 @@ namespace Morsel::SPH
       return heat;
     }
 
+    /// Of the springs at the last compute() the most compressed [m].
+    double
+    deepest_penetration() const
+    {
+      return penetration;
+    }
+
+    /// Distance of two particles at which their spring begins [m].
+    double
+    range() const
+    {
+      return reach;
+    }
+
     /// By which a body's particle may be held: several springs at once
     /// [N/m].
     double
@@ -66,6 +81,9 @@ namespace Morsel::SPH
     {
       return pairs.size();
     }
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     /// Of a flat row against one that is shifted by half a spacing: two
@@ -96,7 +114,7 @@ namespace Morsel::SPH
     std::vector<dealii::Point<2>> searched_a, searched_b;
     CellGrid                      grid;
     std::vector<ParticleForce>    forces[2];
-    double                        energy = 0., heat = 0.;
+    double                        energy = 0., heat = 0., penetration = 0.;
   };
 } // namespace Morsel::SPH
 

@@ -2,6 +2,7 @@
 #define morsel_sph_bonds_h
 
 #include <morsel/core/kernel.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/sph/cloud.h>
 #include <morsel/sph/neighbours.h>
 #include <morsel/sph/particles.h>
@@ -103,6 +104,10 @@ namespace Morsel::SPH
     {
       packed.slot_end[g] = packed.near_end[g] = packed.slot_begin[g];
     }
+
+    /// Saves which bonds are cut; cuts them on loading.
+    void
+    exchange_state(StateArchive &state);
 
     /// Entry of the pair (i, j), or -1 where it is not in the list.
     long

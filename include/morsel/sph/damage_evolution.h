@@ -1,6 +1,7 @@
 #ifndef morsel_sph_damage_evolution_h
 #define morsel_sph_damage_evolution_h
 
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/materials/flaws.h>
 #include <morsel/sph/bonds.h>
 #include <morsel/sph/pair_loops.h>
@@ -78,6 +79,10 @@ namespace Morsel::SPH
     {
       return failed_area / total_area;
     }
+
+    /// Without the fields of the particles.
+    void
+    exchange_state(StateArchive &state);
 
   private:
     /// Damage this close to one is failure: nothing measurable is left.

@@ -1,6 +1,7 @@
 #ifndef morsel_sph_deformable_body_h
 #define morsel_sph_deformable_body_h
 
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/materials/elasticity.h>
 #include <morsel/sph/particles.h>
 
@@ -66,7 +67,7 @@ namespace Morsel::SPH
 
     /// Energies at the time of the last compute_accelerations().
     virtual SolidEnergies
-    energies(double time_step) const = 0;
+    energies() const = 0;
 
     /// Linear momentum at the last half step [kg m/s].
     virtual Vector2
@@ -79,6 +80,11 @@ namespace Morsel::SPH
     /// Density over reference density [1].
     virtual double
     density_ratio(unsigned int i) const = 0;
+
+    /// A particle of this rank that is turned inside out but has not failed, or
+    /// -1.
+    virtual long
+    first_inverted() const = 0;
 
     /// Gradient of the present velocities as the body's strain sees it [1/s].
     virtual Materials::Tensor2
@@ -104,6 +110,11 @@ namespace Morsel::SPH
 
     virtual const Materials::Elasticity &
     get_material() const = 0;
+
+    /// Saves or loads what changes from step to step, between advance() and
+    /// the next compute_accelerations().
+    virtual void
+    exchange_state(StateArchive &state) = 0;
 
     /// Of the owned particles [Pa]; empty where all have the material's.
     std::vector<double>

@@ -2,6 +2,7 @@
 #define morsel_sph_granular_h
 
 #include <morsel/core/kernel.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/materials/elasticity.h>
 #include <morsel/sph/bonds.h>
 #include <morsel/sph/pair_kernels.h>
@@ -85,6 +86,9 @@ namespace Morsel::SPH
     {
       return ratio[i];
     }
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     /// Rows of the list that are worked on together.

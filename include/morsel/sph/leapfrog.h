@@ -1,6 +1,7 @@
 #ifndef morsel_sph_leapfrog_h
 #define morsel_sph_leapfrog_h
 
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/sph/particles.h>
 
 namespace Morsel::SPH
@@ -10,49 +11,47 @@ namespace Morsel::SPH
   class Leapfrog
   {
   public:
-    /// v_{n+1/2} = v_{n-1/2} + a_n dt (half a kick at first), u_{n+1} = u_n +
-    /// v_{n+1/2} dt, and the velocity predicted for the time of u_{n+1}.
+    /// v_{n+1/2} = v_{n-1/2} + a_n (dt' + dt)/2, where dt' is the step before
+    /// (0 at first), u_{n+1} = u_n + v_{n+1/2} dt, and the velocity predicted
+    /// for the time of u_{n+1}.
     void
     advance(Particles &particles, double time_step);
 
     /// From the velocities' last half step to the time of the displacements
     /// [s].
     double
-    lag(const double time_step) const
+    lag() const
     {
-      return started ? 0.5 * time_step : 0.;
+      return 0.5 * last_step;
     }
 
     /// Velocity at the time of the displacements and accelerations [m/s].
     Vector2
-    velocity(const Particles   &particles,
-             const unsigned int i,
-             const double       time_step) const
+    velocity(const Particles &particles, const unsigned int i) const
     {
       const Vector2 &v = particles.half_velocity[i];
       const Vector2 &a = particles.acceleration[i];
-      const double   t = lag(time_step);
+      const double   t = lag();
       return {v.x + t * a.x, v.y + t * a.y};
     }
 
+    void
+    exchange_state(StateArchive &state);
+
   private:
-    bool started = false;
+    double last_step = 0.; ///< [s]
   };
 
 
   /// Energy of that velocity [J], of the particles of this rank.
   double
-  kinetic_energy(const Leapfrog  &leapfrog,
-                 const Particles &particles,
-                 double           time_step);
+  kinetic_energy(const Leapfrog &leapfrog, const Particles &particles);
 
   /// What artificial viscosity turned into heat until the time of the
   /// displacements and accelerations [J], of the particles of this rank; 0
   /// without it.
   double
-  viscous_heat(const Leapfrog  &leapfrog,
-               const Particles &particles,
-               double           time_step);
+  viscous_heat(const Leapfrog &leapfrog, const Particles &particles);
 
   /// Momentum at the last half step [kg m/s], of the particles of this rank.
   Vector2

@@ -2,6 +2,7 @@
 #define morsel_sph_particles_h
 
 #include <morsel/core/records.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/materials/elasticity.h>
 #include <morsel/sph/pair_kernels.h>
 
@@ -133,6 +134,10 @@ namespace Morsel::SPH
     {
       return {reference[i][0] + motion[i].u_x, reference[i][1] + motion[i].u_y};
     }
+
+    /// All fields that change from step to step.
+    void
+    exchange_state(StateArchive &state);
   };
 } // namespace Morsel::SPH
 

@@ -68,7 +68,7 @@ namespace Morsel::SPH
 
     /// Energies at the time of the last compute_accelerations().
     SolidEnergies
-    energies(double time_step) const override;
+    energies() const override;
 
     /// Linear momentum at the last half step [kg m/s].
     Vector2
@@ -110,6 +110,9 @@ namespace Morsel::SPH
     {
       return material;
     }
+
+    void
+    exchange_state(StateArchive &state) override;
 
     ParticleSide
     contact_side() const;
@@ -153,9 +156,9 @@ namespace Morsel::SPH
     unsigned int
     inverted_count() const;
 
-    /// A particle whose state is not finite, or -1.
+    /// None with the linear law, in which F is no measure of that.
     long
-    first_not_finite() const;
+    first_inverted() const override;
 
   private:
     void

@@ -46,7 +46,7 @@ namespace Morsel::SPH
     /// Strain energy is the integral of the stress's power, since the rate
     /// form has no potential.
     SolidEnergies
-    energies(double time_step) const override;
+    energies() const override;
 
     Vector2
     momentum() const override;
@@ -62,6 +62,11 @@ namespace Morsel::SPH
     {
       return density[i] / material.density;
     }
+
+    /// A step that takes more than twice a particle's volume turns the sign of
+    /// its density.
+    long
+    first_inverted() const override;
 
     Materials::Tensor2
     velocity_gradient(unsigned int i) const override;
@@ -89,6 +94,9 @@ namespace Morsel::SPH
     {
       return material;
     }
+
+    void
+    exchange_state(StateArchive &state) override;
 
     /// How often the neighbours were searched for.
     unsigned int

@@ -1,0 +1,102 @@
+#include "checkpoints.h"
+
+#include <morsel/core/failure.h>
+#include <morsel/core/signals.h>
+
+namespace Morsel
+{
+  Checkpoints::Checkpoints(const Scene::Scene &scene,
+                           const RunOptions   &options,
+                           const MPI_Comm      communicator)
+      : scene(scene)
+      , resume(options.resume)
+      , communicator(communicator)
+      , folder(options.output_directory + "/checkpoint",
+               scene.output.checkpoints_kept,
+               communicator)
+      , last(Clock::now())
+  {
+    if (resume)
+      loaded = folder.read_newest({scene.name, scene.used_parameters, 0, 0.},
+                                  complaints);
+  }
+
+
+  void
+  Checkpoints::begin(RunLog &run_log)
+  {
+    log = &run_log;
+    for (const auto &complaint : complaints)
+      log->warning(complaint);
+    if (resume)
+      return;
+    std::string place;
+    FirstRank().run([&] { place = folder.set_aside(); });
+    if (!place.empty())
+      log->warning("Checkpoints of an earlier run were moved to '" + place +
+                   "'.");
+  }
+
+
+  void
+  Checkpoints::finish_loading()
+  {
+    if (!loaded.at_end())
+      throw FileError("--resume: the checkpoint holds more than this scene "
+                      "has; it is of another version of the program.");
+    loaded = StateArchive();
+  }
+
+
+  void
+  Checkpoints::log_beginning(const unsigned long long step, const double time)
+  {
+    *log << "Goes on from the checkpoint of step " << step << ", time " << time
+         << " s.\n";
+  }
+
+
+  Checkpoints::Wish
+  Checkpoints::wish_of_all()
+  {
+    Wish wish = Wish::nothing;
+    if (interrupt_requested())
+      wish = Wish::stop;
+    else if (take_checkpoint_request())
+      wish = Wish::checkpoint;
+    else if (const double interval = 60. * scene.output.checkpoint_interval;
+             interval > 0. &&
+             std::chrono::duration<double>(Clock::now() - last).count() >
+                 interval)
+      wish = Wish::checkpoint;
+    return static_cast<Wish>(
+        dealii::Utilities::MPI::max(static_cast<int>(wish), communicator));
+  }
+
+
+  void
+  Checkpoints::write(const unsigned long long step,
+                     const double             time,
+                     const std::string       &state)
+  {
+    const auto timer = log->section("checkpoints");
+    try
+      {
+        folder.write({scene.name, scene.used_parameters, step, time}, state);
+      }
+    catch (const FileError &error)
+      {
+        throw FileError(error.what() + advice());
+      }
+    last = Clock::now();
+  }
+
+
+  std::string
+  Checkpoints::advice() const
+  {
+    return folder.newest().empty()
+               ? ""
+               : " --resume goes on from '" + folder.newest() + "'.";
+  }
+} // namespace Morsel

@@ -1,0 +1,123 @@
+#ifndef morsel_source_checkpoints_h
+#define morsel_source_checkpoints_h
+
+#include <morsel/core/log.h>
+#include <morsel/core/run_options.h>
+#include <morsel/output/checkpoint.h>
+#include <morsel/scene/scene.h>
+
+#include <chrono>
+#include <string>
+
+namespace Morsel
+{
+  /// When a run in time saves its state, and how it goes on from one.
+  ///
+  /// The state is that between a step and the next evaluation of forces.
+  class Checkpoints
+  {
+  public:
+    /// For a run that goes on, reads the newest good checkpoint at once,
+    /// before anything is written; collective.
+    /// @throws InputError, FileError as CheckpointFolder::read_newest().
+    Checkpoints(const Scene::Scene &scene,
+                const RunOptions   &options,
+                MPI_Comm            communicator);
+
+    /// Once there is a log: tells what was read, or moves what an earlier run
+    /// left out of the way. Collective.
+    void
+    begin(RunLog &log);
+
+    /// Whether the run goes on from a checkpoint.
+    bool
+    resumes() const
+    {
+      return resume;
+    }
+
+    /// Brings a run that has just been set up to where it was.
+    template <typename System, typename Recorder>
+    void
+    restore(System &system, Recorder &recorder)
+    {
+      system.exchange_state(loaded);
+      recorder.exchange_state(loaded);
+      log->exchange_state(loaded);
+      finish_loading();
+      log_beginning(system.step(), system.time());
+    }
+
+    /// Saves the state where it is time to, or somebody asks for it; call it
+    /// after every step. Collective.
+    /// @return whether the run has to end because it is interrupted
+    template <typename System, typename Recorder>
+    bool
+    after_step(System &system, Recorder &recorder)
+    {
+      const Wish wish = wish_of_all();
+      if (wish != Wish::nothing)
+        save(system, recorder);
+      return wish == Wish::stop;
+    }
+
+    /// Saves the state now; collective.
+    template <typename System, typename Recorder>
+    void
+    save(System &system, Recorder &recorder)
+    {
+      StateArchive state;
+      {
+        const auto timer = log->section("checkpoints");
+        system.exchange_state(state);
+        recorder.exchange_state(state);
+        log->exchange_state(state);
+      }
+      write(system.step(), system.time(), state.buffer());
+    }
+
+    /// The newest, as it can be named to the user; empty if there is none.
+    const std::string &
+    newest() const
+    {
+      return folder.newest();
+    }
+
+    /// "; --resume goes on from 'FILE'" or nothing.
+    std::string
+    advice() const;
+
+  private:
+    enum class Wish
+    {
+      nothing,
+      checkpoint,
+      stop
+    };
+
+    Wish
+    wish_of_all();
+
+    void
+    write(unsigned long long step, double time, const std::string &state);
+
+    void
+    finish_loading();
+
+    void
+    log_beginning(unsigned long long step, double time);
+
+    using Clock = std::chrono::steady_clock;
+
+    const Scene::Scene      &scene;
+    const bool               resume;
+    const MPI_Comm           communicator;
+    Output::CheckpointFolder folder;
+    StateArchive             loaded;
+    std::vector<std::string> complaints;
+    RunLog                  *log = nullptr;
+    Clock::time_point        last;
+  };
+} // namespace Morsel
+
+#endif

@@ -1,0 +1,388 @@
+#ifndef morsel_source_time_loop_h
+#define morsel_source_time_loop_h
+
+#include "checkpoints.h"
+#include "guards.h"
+#include "loop_report.h"
+#include "step_control.h"
+
+#include <morsel/core/errors.h>
+#include <morsel/core/log.h>
+#include <morsel/core/state_archive.h>
+#include <morsel/scene/scene.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+namespace Morsel
+{
+  /// @param object with exchange_state(StateArchive &)
+  /// @param object with exchange_state(StateArchive &)
+  template <typename Object>
+  std::string
+  saved_state(Object &object)
+  {
+    StateArchive archive;
+    object.exchange_state(archive);
+    return archive.buffer();
+  }
+
+
+  template <typename Object>
+  void
+  load_state(Object &object, const std::string &saved)
+  {
+    StateArchive archive({saved}, true, true);
+    object.exchange_state(archive);
+  }
+
+
+  /// The loop over time of a mechanical system (Bite, Experiment) and the
+  /// recorder that follows it, with guards, step control and checkpoints.
+  ///
+  /// States are those between a system's advance() and evaluate(): from there a
+  /// run can go on with another step. They are loaded into a system and a
+  /// recorder that have just been made, as for a run that is resumed.
+  template <typename System, typename Recorder>
+  class TimeLoop
+  {
+  public:
+    using MakeSystem   = std::function<std::unique_ptr<System>()>;
+    using MakeRecorder = std::function<std::unique_ptr<Recorder>(System &)>;
+
+    /// @param make_recorder is called when the system has been evaluated once
+    /// @param checkpoints or null for none
+    TimeLoop(MakeSystem                   make_system,
+             MakeRecorder                 make_recorder,
+             const Scene::TimeParameters &time,
+             Checkpoints                 *checkpoints,
+             RunLog                      &log,
+             MPI_Comm                     communicator);
+
+    /// Until the recorder says that the run is finished, SIGINT or SIGTERM
+    /// arrive, or a guard stops it: then the system is in its last good state
+    /// and the report says what happened. Collective.
+    LoopReport
+    run();
+
+    System &
+    get_system()
+    {
+      return *system;
+    }
+
+    Recorder &
+    get_recorder()
+    {
+      return *recorder;
+    }
+
+  private:
+    /// Evaluates the new system and makes its recorder; or goes on from a
+    /// checkpoint.
+    void
+    begin();
+
+    /// Forces at the present positions, and what the guards say to them.
+    /// @param thoroughly whatever the number of the step
+    std::optional<Finding>
+    evaluate_and_check(bool thoroughly);
+
+    std::optional<Finding>
+    check(bool thoroughly);
+
+    /// One step and what follows it. @param interrupted is set
+    std::optional<Finding>
+    step(bool &interrupted);
+
+    /// Follows; what the recorder finds is a finding, too.
+    std::optional<Finding>
+    follow();
+
+    /// Takes what one rank alone throws.
+    template <typename Work>
+    std::optional<Finding>
+    finding_of(const Work &work) const;
+
+    Moment
+    moment() const;
+
+    RunState
+    state();
+
+    /// @param time_step to go on with [s]
+    void
+    go_back(const RunState &good, double time_step);
+
+    /// @return whether the loop goes on
+    bool
+    retreat(const Finding &finding);
+
+    /// Back to the last good state, which is kept. @return where
+    std::string
+    keep_last_good();
+
+    const MakeSystem          make_system;
+    const MakeRecorder        make_recorder;
+    Checkpoints *const        checkpoints;
+    RunLog                   &log;
+    const MPI_Comm            communicator;
+    std::unique_ptr<System>   system;
+    std::unique_ptr<Guards>   guards;
+    StepControl               control;
+    std::unique_ptr<Recorder> recorder;
+    std::optional<RunState>   candidate; ///< a state that is not checked yet
+    LoopReport                report;
+  };
+
+
+  /// Particles are looked at every so many steps, the energy ledger, whose sums
+  /// cost half a step, more seldom.
+  constexpr unsigned int steps_between_checks        = 10;
+  constexpr unsigned int steps_between_energy_checks = 50;
+
+
+  template <typename System, typename Recorder>
+  TimeLoop<System, Recorder>::TimeLoop(MakeSystem   make_system,
+                                       MakeRecorder make_recorder,
+                                       const Scene::TimeParameters &time,
+                                       Checkpoints                 *checkpoints,
+                                       RunLog                      &log,
+                                       const MPI_Comm communicator)
+      : make_system(std::move(make_system))
+      , make_recorder(std::move(make_recorder))
+      , checkpoints(checkpoints)
+      , log(log)
+      , communicator(communicator)
+      , system(this->make_system())
+      , guards(std::make_unique<Guards>(system->guarded()))
+      , control(time.retries)
+  {
+    report.first_time_step = system->time_step();
+  }
+
+
+  template <typename System, typename Recorder>
+  void
+  TimeLoop<System, Recorder>::begin()
+  {
+    if (const auto finding = guards->check_step(moment()))
+      throw NumericalError(sentence(*finding, moment(), {}));
+    RunState at_first;
+    at_first.system = saved_state(*system);
+    system->evaluate();
+    recorder           = make_recorder(*system);
+    at_first.recorder  = saved_state(*recorder);
+    at_first.time_step = system->time_step();
+    if (checkpoints && checkpoints->resumes())
+      {
+        checkpoints->restore(*system, *recorder);
+        at_first = state();
+        system->evaluate();
+      }
+    control.keep(std::move(at_first));
+  }
+
+
+  template <typename System, typename Recorder>
+  LoopReport
+  TimeLoop<System, Recorder>::run()
+  {
+    begin();
+    bool                   interrupted = false;
+    std::optional<Finding> finding     = check(true);
+    for (;;)
+      {
+        if (!finding && candidate)
+          control.keep(std::move(*candidate));
+        candidate.reset();
+        if (!finding && !interrupted)
+          finding = follow();
+        const bool finished = !finding && recorder->finished();
+        if (!finding && !finished && !interrupted)
+          log.progress(recorder->progress(), system->time(), system->step());
+        else if (!finding)
+          finding = check(true);
+        if (!finding && (finished || interrupted))
+          {
+            report.interrupted = !finished;
+            return report;
+          }
+        if (finding && !retreat(*finding))
+          return report;
+        finding = finding ? evaluate_and_check(true) : step(interrupted);
+      }
+  }
+
+
+  template <typename System, typename Recorder>
+  std::optional<Finding>
+  TimeLoop<System, Recorder>::step(bool &interrupted)
+  {
+    system->advance();
+    interrupted = checkpoints && checkpoints->after_step(*system, *recorder);
+    if (control.wants_state(system->step()))
+      candidate = state();
+    return evaluate_and_check(candidate.has_value());
+  }
+
+
+  template <typename System, typename Recorder>
+  template <typename Work>
+  std::optional<Finding>
+  TimeLoop<System, Recorder>::finding_of(const Work &work) const
+  {
+    // Several ranks might not throw together.
+    if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+      return work();
+    try
+      {
+        return work();
+      }
+    catch (const NumericalError &error)
+      {
+        std::string what = error.what();
+        while (!what.empty() && what.back() == '.')
+          what.pop_back();
+        return Finding{Finding::Kind::solver, what, "", ""};
+      }
+  }
+
+
+  template <typename System, typename Recorder>
+  std::optional<Finding>
+  TimeLoop<System, Recorder>::evaluate_and_check(const bool thoroughly)
+  {
+    return finding_of([&] {
+      system->evaluate();
+      return check(thoroughly);
+    });
+  }
+
+
+  template <typename System, typename Recorder>
+  std::optional<Finding>
+  TimeLoop<System, Recorder>::follow()
+  {
+    return finding_of([&] {
+      recorder->follow();
+      return std::optional<Finding>();
+    });
+  }
+
+
+  template <typename System, typename Recorder>
+  std::optional<Finding>
+  TimeLoop<System, Recorder>::check(const bool thoroughly)
+  {
+    const auto timer = log.section("guards");
+    const auto due   = [&](const unsigned int steps) {
+      return thoroughly || system->step() % steps == 0;
+    };
+    if (due(steps_between_checks) || recorder->records_now())
+      if (const auto finding = guards->check_particles())
+        return finding;
+    if (due(steps_between_energy_checks))
+      return guards->check_energy(system->energies(),
+                                  recorder->energy_ledger());
+    return {};
+  }
+
+
+  template <typename System, typename Recorder>
+  Moment
+  TimeLoop<System, Recorder>::moment() const
+  {
+    return {system->time(),
+            system->step(),
+            system->time_step(),
+            system->safe_time_step()};
+  }
+
+
+  template <typename System, typename Recorder>
+  RunState
+  TimeLoop<System, Recorder>::state()
+  {
+    const auto timer = log.section("good states");
+    return {saved_state(*system),
+            saved_state(*recorder),
+            system->time(),
+            system->step(),
+            system->time_step()};
+  }
+
+
+  template <typename System, typename Recorder>
+  void
+  TimeLoop<System, Recorder>::go_back(const RunState &good,
+                                      const double    time_step)
+  {
+    recorder.reset();
+    guards.reset();
+    system = make_system();
+    guards = std::make_unique<Guards>(system->guarded());
+    system->evaluate();
+    recorder = make_recorder(*system);
+    load_state(*system, good.system);
+    load_state(*recorder, good.recorder);
+    if (time_step != system->time_step())
+      system->change_time_step(time_step);
+  }
+
+
+  template <typename System, typename Recorder>
+  bool
+  TimeLoop<System, Recorder>::retreat(const Finding &finding)
+  {
+    const Moment          bad  = moment();
+    const RunState *const good = control.retry(finding, bad);
+    log.end_progress();
+    if (good)
+      {
+        ++report.step_retries;
+        std::ostringstream text;
+        text << finding.what << ", at time " << bad.time << " s, step "
+             << bad.step << ". Back to time " << good->time << " s, step "
+             << good->step << ", and on with steps of " << control.time_step()
+             << " s instead of " << bad.time_step << " s (retry "
+             << report.step_retries << ").";
+        log.warning(text.str());
+        go_back(*good, control.time_step());
+        return true;
+      }
+    report.failure =
+        sentence(finding, bad, {control.steps_tried(), keep_last_good()});
+    return false;
+  }
+
+
+  template <typename System, typename Recorder>
+  std::string
+  TimeLoop<System, Recorder>::keep_last_good()
+  {
+    const RunState &good = *control.last_good();
+    go_back(good, good.time_step);
+    std::ostringstream text;
+    text << "the results end with the last good state, of time " << good.time
+         << " s, step " << good.step;
+    if (checkpoints)
+      try
+        {
+          checkpoints->save(*system, *recorder);
+          text << ", which is kept in '" << checkpoints->newest() << "'";
+        }
+      catch (const FileError &)
+        {
+          text << ", which could not be written";
+        }
+    system->evaluate();
+    return text.str();
+  }
+} // namespace Morsel
+
+#endif
