@@ -37,43 +37,42 @@ namespace Morsel
     }
 
     /// Brings a run that has just been set up to where it was.
-    template <typename System, typename Recorder>
+    /// @param run with exchange_state(), step() and time()
+    template <typename Run>
     void
-    restore(System &system, Recorder &recorder)
+    restore(Run &run)
     {
-      system.exchange_state(loaded);
-      recorder.exchange_state(loaded);
+      run.exchange_state(loaded);
       log->exchange_state(loaded);
       finish_loading();
-      log_beginning(system.step(), system.time());
+      log_beginning(run.step(), run.time());
     }
 
     /// Saves the state where it is time to, or somebody asks for it; call it
     /// after every step. Collective.
     /// @return whether the run has to end because it is interrupted
-    template <typename System, typename Recorder>
+    template <typename Run>
     bool
-    after_step(System &system, Recorder &recorder)
+    after_step(Run &run)
     {
       const Wish wish = wish_of_all();
       if (wish != Wish::nothing)
-        save(system, recorder);
+        save(run);
       return wish == Wish::stop;
     }
 
     /// Saves the state now; collective.
-    template <typename System, typename Recorder>
+    template <typename Run>
     void
-    save(System &system, Recorder &recorder)
+    save(Run &run)
     {
       StateArchive state;
       {
         const auto timer = log->section("checkpoints");
-        system.exchange_state(state);
-        recorder.exchange_state(state);
+        run.exchange_state(state);
         log->exchange_state(state);
       }
-      write(system.step(), system.time(), state.buffer());
+      write(run.step(), run.time(), state.buffer());
     }
 
     /// The newest, as it can be named to the user; empty if there is none.

@@ -32,6 +32,17 @@ namespace
   }
 
 
+  /// For what is no run in time, and so has no state to go on from.
+  void
+  begin_solve_at_once(const RunOptions &options)
+  {
+    if (options.resume)
+      throw InputError("--resume: a static scene is solved at once and keeps "
+                       "no checkpoint; leave the option out.");
+    end_on_signals();
+  }
+
+
   void
   run(const CommandLine &command_line)
   {
@@ -79,6 +90,7 @@ namespace
       }
     if (is_fracture_scene(command_line.scene_file, command_line.overrides))
       {
+        begin_solve_at_once(options);
         run_fracture_scene(command_line);
         return;
       }
@@ -86,7 +98,10 @@ namespace
         command_line.scene_file, command_line.overrides);
     if (options.output_directory.empty())
       options.output_directory = "output/" + scene.name;
-    catch_signals();
+    if (scene.time.is_static())
+      begin_solve_at_once(options);
+    else
+      catch_signals();
     run_simulation(scene, options);
   }
 } // namespace

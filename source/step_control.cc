@@ -1,5 +1,7 @@
 #include "step_control.h"
 
+#include <morsel/core/state_archive.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,6 +42,13 @@ namespace Morsel
     else if (last->step >= earlier->step + steps_well_before)
       earlier = std::move(last);
     last = std::move(state);
+  }
+
+
+  void
+  StepControl::exchange_state(StateArchive &state)
+  {
+    state.same(tried, failure, from_earlier);
   }
 
 

@@ -3,6 +3,8 @@
 
 #include "guards.h"
 
+#include <morsel/core/state_archive_fwd.h>
+
 #include <optional>
 #include <string>
 
@@ -61,6 +63,19 @@ namespace Morsel
     {
       return last ? &*last : nullptr;
     }
+
+    /// Tries anew.
+    void
+    forget_tries()
+    {
+      tried.clear();
+      failure.reset();
+      from_earlier = false;
+    }
+
+    /// What has been tried; the good states are kept anew.
+    void
+    exchange_state(StateArchive &state);
 
     /// Of all retries [s].
     const std::vector<double> &

@@ -69,6 +69,24 @@ namespace Morsel
     LoopReport
     run();
 
+    /// @name What a checkpoint is of.
+    ///@{
+    void
+    exchange_state(StateArchive &state);
+
+    unsigned long long
+    step() const
+    {
+      return system->step();
+    }
+
+    double
+    time() const
+    {
+      return system->time();
+    }
+    ///@}
+
     System &
     get_system()
     {
@@ -97,7 +115,7 @@ namespace Morsel
 
     /// One step and what follows it. @param interrupted is set
     std::optional<Finding>
-    step(bool &interrupted);
+    take_step(bool &interrupted);
 
     /// Follows; what the recorder finds is a finding, too.
     std::optional<Finding>
@@ -180,11 +198,30 @@ namespace Morsel
     at_first.time_step = system->time_step();
     if (checkpoints && checkpoints->resumes())
       {
-        checkpoints->restore(*system, *recorder);
+        const double of_scene = system->time_step();
+        checkpoints->restore(*this);
+        if (of_scene != report.first_time_step)
+          {
+            // The scene says another step than before.
+            report.first_time_step = of_scene;
+            control.forget_tries();
+            system->change_time_step(of_scene);
+          }
         at_first = state();
         system->evaluate();
       }
     control.keep(std::move(at_first));
+  }
+
+
+  template <typename System, typename Recorder>
+  void
+  TimeLoop<System, Recorder>::exchange_state(StateArchive &state)
+  {
+    system->exchange_state(state);
+    recorder->exchange_state(state);
+    control.exchange_state(state);
+    state.same(report.step_retries, report.first_time_step);
   }
 
 
@@ -214,17 +251,17 @@ namespace Morsel
           }
         if (finding && !retreat(*finding))
           return report;
-        finding = finding ? evaluate_and_check(true) : step(interrupted);
+        finding = finding ? evaluate_and_check(true) : take_step(interrupted);
       }
   }
 
 
   template <typename System, typename Recorder>
   std::optional<Finding>
-  TimeLoop<System, Recorder>::step(bool &interrupted)
+  TimeLoop<System, Recorder>::take_step(bool &interrupted)
   {
     system->advance();
-    interrupted = checkpoints && checkpoints->after_step(*system, *recorder);
+    interrupted = checkpoints && checkpoints->after_step(*this);
     if (control.wants_state(system->step()))
       candidate = state();
     return evaluate_and_check(candidate.has_value());
@@ -373,7 +410,7 @@ namespace Morsel
     if (checkpoints)
       try
         {
-          checkpoints->save(*system, *recorder);
+          checkpoints->save(*this);
           text << ", which is kept in '" << checkpoints->newest() << "'";
         }
       catch (const FileError &)

@@ -26,6 +26,8 @@ add_message_test(unknown_option 2 "no option '--ouput'. Did you mean '--output'"
 add_message_test(unwritable_output 4 "'/proc/morsel' cannot be created" ${peanut}
                  --output /proc/morsel)
 add_message_test(no_checkpoint 2 "there is no checkpoint" ${peanut} --resume)
+add_message_test(static_resume 2 "a static scene is solved at once"
+                 ${CMAKE_SOURCE_DIR}/prm/fracture/m1_xfem.prm --resume)
 add_message_test(set_unknown_key 2 "Did you mean 'End time'" ${peanut} --set
                  "Time/Endtime=1")
 add_message_test(set_unknown_section 2

@@ -1,6 +1,9 @@
 #include <morsel/core/signals.h>
 
+#include <morsel/core/errors.h>
+
 #include <csignal>
+#include <unistd.h>
 
 namespace Morsel
 {
@@ -13,6 +16,17 @@ namespace Morsel
     note_signal(int)
     {
       signal_arrived = 1;
+    }
+
+    extern "C" void
+    end_at_once(int)
+    {
+      constexpr char text[] = "morsel: Interrupted before the scene was "
+                              "solved; start it anew.\n";
+      // Whether somebody reads it does not matter any more.
+      [[maybe_unused]] const auto ignored =
+          write(STDERR_FILENO, text, sizeof(text) - 1);
+      _exit(static_cast<int>(ExitStatus::interrupted));
     }
 
     extern "C" void
@@ -35,6 +49,16 @@ namespace Morsel
     action.sa_handler = note_checkpoint;
     action.sa_flags   = SA_RESTART;
     sigaction(SIGUSR1, &action, nullptr);
+  }
+
+
+  void
+  end_on_signals()
+  {
+    struct sigaction action = {};
+    action.sa_handler       = end_at_once;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
   }
 
 

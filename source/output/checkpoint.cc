@@ -97,12 +97,16 @@ namespace Morsel::Output
     }
 
 
-    /// Lines that differ do not matter where they say how often checkpoints
-    /// are made.
+    /// Whether a run may go on with another value of an entry: those that say
+    /// how far, in which steps, and how often checkpoints are made.
     bool
     may_differ(const std::string &line)
     {
-      return line.find("set Checkpoint") != std::string::npos;
+      for (const char *entry :
+           {"Checkpoint", "Time step", "CFL factor", "Retries", "End time"})
+        if (trimmed(line).rfind(std::string("set ") + entry, 0) == 0)
+          return true;
+      return false;
     }
 
 
@@ -141,7 +145,12 @@ namespace Morsel::Output
     const std::string  stem = file_stem(head.step);
     const std::string  part = stem + ".rank" + std::to_string(rank);
     run_on_all_ranks(communicator, [&] {
-      create_folder(folder);
+      // Not the folder of results: if that has gone, the user shall know.
+      std::error_code error;
+      fs::create_directory(folder, error);
+      if (error)
+        throw FileError("Cannot create the folder '" + folder +
+                        "': " + error.message() + ".");
       write_atomically(folder + "/" + part, state);
     });
 

@@ -1,5 +1,6 @@
 #include <morsel/core/atomic_file.h>
 #include <morsel/core/errors.h>
+#include <morsel/core/failure.h>
 #include <morsel/core/state_archive.h>
 #include <morsel/output/frames.h>
 
@@ -14,7 +15,10 @@
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <hdf5.h>
+
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <tuple>
 
@@ -146,6 +150,35 @@ namespace Morsel::Output
     }
 
 
+    /// With less room [B] on the disk, that is why a file cannot be written.
+    constexpr std::uintmax_t smallest_space = 1 << 16;
+
+
+    /// HDF5 prints what its caller is going to tell in a sentence.
+    class QuietHDF5
+    {
+    public:
+      QuietHDF5()
+      {
+        H5Eget_auto2(H5E_DEFAULT, &function, &data);
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+      }
+
+      ~QuietHDF5()
+      {
+        H5Eset_auto2(H5E_DEFAULT, function, data);
+      }
+
+      QuietHDF5(const QuietHDF5 &) = delete;
+      QuietHDF5 &
+      operator=(const QuietHDF5 &) = delete;
+
+    private:
+      H5E_auto2_t function = nullptr;
+      void       *data     = nullptr;
+    };
+
+
     /// The ranks that hold something: writing no rows makes HDF5 abort.
     class WritingRanks
     {
@@ -227,6 +260,7 @@ namespace Morsel::Output
     const std::string h5_name =
         name + "_" + dealii::Utilities::int_to_string(entries.size(), 6) +
         ".h5";
+    const std::string  temporary = folder + "/" + h5_name + ".tmp";
     const WritingRanks writers(points.size() > 0, communicator);
     int                failed = 0;
     if (points.size() > 0)
@@ -236,15 +270,14 @@ namespace Morsel::Output
           dealii::DataOutBase::DataOutFilter filter(
               dealii::DataOutBase::DataOutFilterFlags(false, true));
           patches.write_filtered_data(filter);
-          patches.write_hdf5_parallel(
-              filter, folder + "/" + h5_name, writers.communicator);
+          const QuietHDF5 quiet;
+          patches.write_hdf5_parallel(filter, temporary, writers.communicator);
         }
       catch (const dealii::ExceptionBase &)
         {
           failed = 1;
         }
-    if (MPI::max(failed, communicator) != 0)
-      throw FileError("Cannot write '" + folder + "/" + h5_name + "'.");
+    publish(MPI::max(failed, communicator) == 0, temporary, h5_name);
 
     dealii::XDMFEntry entry(
         h5_name, h5_name, time, n_points, n_points / n_vertices, dim, 2);
@@ -278,6 +311,35 @@ namespace Morsel::Output
     boost::archive::text_iarchive archive(stream);
     archive >> entries;
     write_series();
+  }
+
+
+  template <int dim>
+  void
+  Frames<dim>::publish(const bool         written,
+                       const std::string &temporary,
+                       const std::string &h5_name) const
+  {
+    namespace fs                 = std::filesystem;
+    const std::string final_name = folder + "/" + h5_name;
+    const FirstRank   first;
+    first.run([&] {
+      std::error_code error;
+      if (written)
+        fs::rename(temporary, final_name, error);
+      if (written && !error)
+        return;
+      // HDF5 does not say why.
+      std::error_code      other;
+      const fs::space_info space  = fs::space(folder, other);
+      const std::string    reason = error   ? error.message()
+                                    : other ? other.message()
+                                    : space.available < smallest_space
+                                        ? "No space left on device"
+                                        : "HDF5 failed";
+      fs::remove(temporary, other);
+      throw FileError("Cannot write '" + final_name + "': " + reason + ".");
+    });
   }
 
 

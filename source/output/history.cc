@@ -72,6 +72,9 @@ namespace Morsel::Output
   History::add_row(const std::vector<double> &values)
   {
     const std::string line = row(file_name, columns, values);
+    // A file that somebody removed would take rows without a word.
+    if (!std::filesystem::exists(file_name))
+      throw FileError("Cannot write to '" + file_name + "': it has vanished.");
     stream << line << std::flush;
     if (!stream)
       {

@@ -27,6 +27,17 @@ for signal in INT TERM; do
   "$compare" whole run || complain "the results differ after SIG$signal"
 done
 
+# What is solved at once ends at once.
+rm -rf static
+"$morsel" --output static --set "XFEM/Cells along x=201" --set "XFEM/Cells along y=201" \
+  "$(dirname "$scene")/../../prm/fracture/m1_xfem.prm" >message 2>&1 &
+pid=$!
+wait_for_file static/run.log
+kill -TERM $pid
+wait $pid
+expect $? 130 "an interrupted static scene"
+expect_message "^morsel: Interrupted before the scene was solved"
+
 # SIGUSR1 makes a checkpoint in passing, one after another; two are kept.
 rm -rf run
 "$morsel" --threads 1 --quiet --output run "$scene" >message 2>&1 &
@@ -67,9 +78,16 @@ done
 
 # Another scene.
 rm -rf run && cp -r intact run
-run run --resume --set "Time/End time=0.5"
+run run --resume --set "Contact/Friction=0.31"
 expect $? 2 "other parameters"
-expect_message "does not belong to this run: it was made with 'set End time"
+expect_message "does not belong to this run: it was made with 'set Friction"
+
+# Half the step from there on.
+run run --resume --set "Time/Time step=2e-7"
+expect $? 0 "going on with another step"
+[ "$(tail -1 run/history.csv | sed 's/.*,//')" = 2e-07 ] ||
+  complain "the step is still $(tail -1 run/history.csv | sed 's/.*,//')"
+rm -rf run && cp -r intact run
 
 # A run from the beginning keeps what an earlier one left.
 run run

@@ -2,7 +2,8 @@
 // but costs, and every cell of history.csv.
 //   compare_runs FOLDER FOLDER [TOLERANCE]
 // TOLERANCE is relative to the largest magnitude of the quantity; without one,
-// the results have to be alike to the last digit.
+// the results have to be alike to the last digit. With one, errors, which are
+// made of round-off themselves, are left out.
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -72,6 +73,14 @@ namespace
                  " of the largest");
     }
 
+    /// Whether a quantity can be compared.
+    bool
+    concerns(const std::string &name) const
+    {
+      return costs.count(name) == 0 &&
+             (tolerance == 0. || name.find("error") == std::string::npos);
+    }
+
     void
     complain(const std::string &what)
     {
@@ -95,7 +104,7 @@ namespace
     const auto second = nlohmann::json::parse(open(b + "/summary.json"));
     for (const auto &[name, entry] : first.items())
       {
-        if (!entry.contains("value") || costs.count(name) > 0)
+        if (!entry.contains("value") || !comparison.concerns(name))
           continue;
         if (!second.contains(name))
           comparison.complain(name + " is missing");
@@ -107,8 +116,7 @@ namespace
       }
     if (first.size() != second.size())
       comparison.complain("The summaries have " + std::to_string(first.size()) +
-                          " and " + std::to_string(second.size()) +
-                          " entries");
+                          " and " + std::to_string(second.size()) + " entries");
   }
 
 
@@ -128,6 +136,8 @@ namespace
       }
     for (std::size_t column = 0; column < first[0].size(); ++column)
       {
+        if (!comparison.concerns(first[0][column]))
+          continue;
         double scale = 0.;
         for (std::size_t row = 1; row < first.size(); ++row)
           scale = std::max(scale, std::abs(std::stod(first[row].at(column))));

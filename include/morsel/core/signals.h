@@ -10,6 +10,12 @@ namespace Morsel
   catch_signals();
 
 
+  /// From now on SIGINT and SIGTERM end the program at once, with a sentence
+  /// and the status of an interruption; for work that has nothing to keep.
+  void
+  end_on_signals();
+
+
   /// Whether SIGINT or SIGTERM has arrived.
   bool
   interrupt_requested();

@@ -76,6 +76,13 @@ namespace Morsel::Output
     rank() const;
 
   private:
+    /// Gives a file that has been written its name, or says why there is
+    /// none. Collective.
+    void
+    publish(bool               written,
+            const std::string &temporary,
+            const std::string &h5_name) const;
+
     /// The file that ParaView opens.
     void
     write_series() const;
