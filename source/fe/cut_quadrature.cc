@@ -41,6 +41,8 @@ namespace Morsel::FE
           limits.push_back(l);
       limits.push_back(1.);
 
+      const double round_off =
+          4. * std::numeric_limits<double>::epsilon() * apex.norm();
       const GaussRule &radial  = gauss_rule(2 * n - 2);
       const GaussRule &plain   = gauss_rule(n + 1);
       const GaussRule &angular = gauss_rule(n);
@@ -56,9 +58,13 @@ namespace Morsel::FE
               const double w   = rule.weights[i] * (singular ? 2. * s : width);
               for (unsigned int j = 0; j < angular.points.size(); ++j)
                 {
-                  const double t = angular.points[j];
-                  quadrature.points.push_back(apex +
-                                              rho * ((1. - t) * ea + t * eb));
+                  const double       t      = angular.points[j];
+                  const Tensor<1, 2> offset = rho * ((1. - t) * ea + t * eb);
+                  // What falls on the singular point by round-off has no value
+                  // there, and hardly a weight.
+                  if (offset.norm() <= round_off)
+                    continue;
+                  quadrature.points.push_back(apex + offset);
                   quadrature.weights.push_back(w * angular.weights[j] * rho *
                                                twice_area);
                 }

@@ -99,10 +99,10 @@ namespace Morsel::FE
             given.cracks,
             enrichment_by_rule(*this->mesh, given.cracks, properties.degree)))
   {
-    check_tips_apart(*this->mesh,
-                     space->get_tips(),
-                     "raise 'Deformation/Tip refinements', or lower "
-                     "'Deformation/Cell size'");
+    const std::string finer = "raise 'Deformation/Tip refinements', or lower "
+                              "'Deformation/Cell size'";
+    check_tips_apart(*this->mesh, space->get_tips(), finer);
+    check_room_for_rings(*space, given.ring_radius, finer);
     space->distribute(std::vector<unsigned int>(this->mesh->n_active_cells(),
                                                 properties.degree));
     make_expansion();

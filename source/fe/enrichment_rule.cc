@@ -2,6 +2,8 @@
 #include <morsel/core/suggestions.h>
 #include <morsel/fe/enrichment_rule.h>
 #include <morsel/fe/polygon.h>
+#include <morsel/fe/stress_intensity.h>
+#include <morsel/fracture/interaction_integral.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +25,11 @@ namespace Morsel::FE
     /// Cells between tip functions and an inner end of the segment: they
     /// fade out over the diagonal of one, next to which there may be a larger.
     constexpr double cells_to_end = 3.;
+
+
+    /// Outer radius of the largest ring over the cell at the tip, at least: in
+    /// smaller ones there is nothing but the tip functions of one cell.
+    constexpr double smallest_rings = 0.02;
 
 
     template <typename CellIterator>
@@ -96,5 +103,36 @@ namespace Morsel::FE
           "The crack tip at (" + number_text(tips[crowded].position[0]) + ", " +
           number_text(tips[crowded].position[1]) +
           ") m shares a cell of the mesh with another one: " + remedy + ".");
+  }
+
+
+  void
+  check_room_for_rings(const XFEMSpace   &space,
+                       const double       ring_radius,
+                       const std::string &remedy)
+  {
+    const Triangulation<2> &mesh = space.get_dof_handler().get_triangulation();
+    for (const Fracture::CrackTip &tip : space.get_tips())
+      {
+        const double room      = ring_radius > 0.
+                                     ? ring_radius
+                                     : Fracture::largest_ring_radius(
+                                      tip,
+                                      space.get_cracks(),
+                                      distance_to_boundary(mesh, tip.position));
+        const double cell_size = Utilities::MPI::min(
+            cell_size_at(mesh, tip.position), mesh.get_communicator());
+        if (room >= smallest_rings * cell_size)
+          continue;
+        throw InputError(
+            "The crack tip at (" + number_text(tip.position[0]) + ", " +
+            number_text(tip.position[1]) +
+            ") m has room for rings of the interaction integral of " +
+            number_text(room) + " m, " + number_text(room / cell_size) +
+            " of its cell, and at least " + number_text(smallest_rings) +
+            " of it are needed: keep the tip off the boundary, mouths, kinks "
+            "and other cracks, or " +
+            remedy + ".");
+      }
   }
 } // namespace Morsel::FE

@@ -144,10 +144,10 @@ namespace Morsel::FE
   void
   PlateProblem::set_up()
   {
-    check_tips_apart(triangulation,
-                     space->get_tips(),
-                     "raise 'XFEM/Tip refinements', or the cells along x and "
-                     "y");
+    const std::string finer =
+        "raise 'XFEM/Tip refinements', or the cells along x and y";
+    check_tips_apart(triangulation, space->get_tips(), finer);
+    check_room_for_rings(*space, parameters.ring_radius, finer);
     space->distribute(cell_degrees());
     problem = std::make_unique<ElasticProblem>(*space, material);
     apply_boundary_conditions();

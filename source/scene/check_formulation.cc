@@ -1,6 +1,8 @@
 #include <morsel/core/suggestions.h>
 #include <morsel/scene/findings.h>
 
+#include <algorithm>
+
 namespace Morsel::Scene
 {
   namespace
@@ -116,6 +118,59 @@ namespace Morsel::Scene
                               "and the conforming gradient are exact for "
                               "linear fields.");
     }
+
+
+    /// By how much of its extent along an axis plates at constant speed press
+    /// a body together, unless it fails: those that stand before its sides and
+    /// come towards it.
+    double
+    pressed_share(const ParticleBody &body,
+                  const Scene        &scene,
+                  const unsigned int  axis)
+    {
+      const Rectangle &food = body.shape;
+      double           way  = 0.;
+      for (const PlateBody &plate : scene.plate_bodies)
+        {
+          const Jaw::MotionParameters &motion = plate.motion;
+          const Rectangle              box = plate.shape.box_before(axis, food);
+          const bool                   beside =
+              box.upper_corner[1 - axis] <= food.lower_corner[1 - axis] ||
+              box.lower_corner[1 - axis] >= food.upper_corner[1 - axis];
+          if (motion.kind != "constant" || beside)
+            continue;
+          const double above = box.lower_corner[axis] - food.upper_corner[axis];
+          const double below = food.lower_corner[axis] - box.upper_corner[axis];
+          const double speed =
+              above > below ? -motion.velocity[axis] : motion.velocity[axis];
+          way += std::max(0.,
+                          speed * (scene.time.end_time - motion.delay()) -
+                              std::max({0., above, below}));
+        }
+      return std::min(scene.stop.maximum_closure, way / food.extent(axis));
+    }
+
+
+    /// The linear law may be scaled at will where all else is linear, too;
+    /// between plates it may not.
+    void
+    check_law(const ParticleBody &body, const Scene &scene, Findings &findings)
+    {
+      if (body.material.law != "linear" || body.damage.enabled)
+        return;
+      const double      share = std::max(pressed_share(body, scene, 0),
+                                    pressed_share(body, scene, 1));
+      const std::string path  = "Body " + body.name + "/Material/Law";
+      const std::string text  = "the plates press '" + body.name +
+                               "' together by " + number_text(100. * share) +
+                               " %, and the linear law holds for small strains";
+      if (share > 0.5)
+        findings.mistake(path,
+                         text + "; take 'neo-Hookean', or end the run at half "
+                                "of it ('Stop/Maximum closure').");
+      else if (share > 0.1)
+        findings.advise(path, text + ": 'neo-Hookean' is for large ones.");
+    }
   } // namespace
 
 
@@ -138,6 +193,7 @@ namespace Morsel::Scene
                        "the total Lagrangian form has its stress from the "
                        "deformation; leave it out or take 'Formulation' = "
                        "'updated Lagrangian'.");
+    check_law(body, scene, findings);
     check_grains(body, findings);
     check_normalisation(body, findings);
   }

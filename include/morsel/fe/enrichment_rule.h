@@ -33,6 +33,19 @@ namespace Morsel::FE
   check_tips_apart(const dealii::Triangulation<2>        &mesh,
                    const std::vector<Fracture::CrackTip> &tips,
                    const std::string                     &remedy);
+
+
+  /// Refuses tips that hardly differ from what they are near to, as the mesh
+  /// sees it: no ring could tell their stress intensity, and its quadrature
+  /// would take for ever. Collective; the degrees need not be known yet.
+  /// @param ring_radius wished outer radius of the largest ring [m], 0: the
+  ///   largest that fits
+  /// @param remedy what the user may do besides
+  /// @throws InputError
+  void
+  check_room_for_rings(const XFEMSpace   &space,
+                       double             ring_radius,
+                       const std::string &remedy);
 } // namespace Morsel::FE
 
 #endif
