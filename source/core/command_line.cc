@@ -135,9 +135,9 @@ namespace Morsel
     namespace fs             = std::filesystem;
     const std::string advice = " Choose another folder with --output.";
 
-    std::error_code error;
+    std::error_code error, ignored;
     fs::create_directories(directory, error);
-    if (!fs::is_directory(directory, error))
+    if (!fs::is_directory(directory, ignored))
       throw FileError(
           "The folder of results '" + directory + "' cannot be created" +
           (error ? " (" + error.message() + ")" : "") + "." + advice);
