@@ -137,6 +137,14 @@ namespace Morsel::Scene
     }
 
 
+    /// The step from which the run still comes to a stable one by its retries.
+    double
+    largest_halved(const Scene &scene, const double stable)
+    {
+      return std::ldexp(stable, scene.time.retries);
+    }
+
+
     void
     check_numerics(const ParticleBody &body,
                    const Scene        &scene,
@@ -157,13 +165,18 @@ namespace Morsel::Scene
         findings.advise(section + "CFL factor",
                         "the scheme is stable up to about 1.");
 
-      const double step = scene.time.time_step;
-      if (step > limits.step)
+      const double      step = scene.time.time_step;
+      const std::string unstable =
+          "it exceeds the stable step h/c = " + number_text(limits.step) +
+          " s of '" + body.name + "' (wave speed " + number_text(limits.speed) +
+          " m/s); ";
+      if (step > largest_halved(scene, limits.step))
         findings.mistake("Time/Time step",
-                         "it exceeds the stable step h/c = " +
-                             number_text(limits.step) + " s of '" + body.name +
-                             "' (wave speed " + number_text(limits.speed) +
-                             " m/s); give less, or 0 for the stable step.");
+                         unstable + "give less, or 0 for the stable step.");
+      else if (step > limits.step)
+        findings.advise("Time/Time step",
+                        unstable + "the run will have to go back and halve "
+                                   "it ('Time/Retries').");
       else if (step > 0.7 * limits.step)
         findings.advise("Time/Time step",
                         "it is close to the stable step h/c = " +
@@ -196,7 +209,7 @@ namespace Morsel::Scene
       const double stiffness   = scene.contact.stiffness;
       const double contact_step =
           2. * body.spacing / (limits.speed * std::sqrt(stiffness));
-      if (gap_penalty && step > contact_step)
+      if (gap_penalty && step > largest_halved(scene, contact_step))
         findings.mistake("Contact/Stiffness",
                          "the time step " + number_text(step) +
                              " s is too large for it: a particle in contact "

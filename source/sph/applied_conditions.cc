@@ -44,7 +44,7 @@ namespace Morsel::SPH
                 "missed by " +
                 number_text(largest.gap) + " of " + number_text(largest.speed) +
                 " m/s): let each side be moved or held by one of them, and "
-                "let those that meet at a corner agree there");
+                "let those that meet at a corner agree there.");
         }
     }
   } // namespace

@@ -12,7 +12,8 @@ namespace Morsel::SPH
     // A spring of stiffness k on one particle adds k/m to the square.
     const double w2 =
         highest_frequency + contact_stiffness / particles.least_mass();
-    const double g = viscosity
+    // What has broken is damped even where the intact body is not.
+    const double g = viscosity || fracture
                          ? viscous_damping_rate(constants.viscosity_alpha_c,
                                                 particles.spacing)
                          : 0.;
