@@ -48,6 +48,28 @@ namespace Morsel
     }
 
 
+    /// With which some editors begin a text in UTF-8.
+    const std::string byte_order_mark = "\xEF\xBB\xBF";
+
+
+    /// Whether a line can be one: texts in UTF-16 have NUL bytes, and old
+    /// Macintosh texts are a single line.
+    void
+    check_text(const std::string &line, const std::string &where)
+    {
+      if (line.find('\0') != std::string::npos)
+        throw InputError(where +
+                         ": The line has a NUL byte, so this is no text "
+                         "in UTF-8; save it as such (UTF-16 is not "
+                         "read).");
+      const std::size_t last = line.find_last_not_of("\r");
+      if (last != std::string::npos && line.find('\r') < last)
+        throw InputError(where + ": A carriage return (CR) stands within the "
+                                 "line; save the file with line ends LF or "
+                                 "CRLF.");
+    }
+
+
     /// White space between words counts as one blank, as in deal.II.
     std::string
     single_blanks(const std::string &text)
@@ -73,7 +95,15 @@ namespace Morsel
       if (fs::is_directory(file_name, error))
         throw InputError(prefix + "'" + file_name +
                          "' is a folder; give a scene file (*.prm).");
-      if (std::count(open_files.begin(), open_files.end(), file_name) > 0)
+      // A device or a pipe may have no end.
+      if (!fs::is_regular_file(file_name, error))
+        throw InputError(prefix + "'" + file_name +
+                         "' is no ordinary file; give a scene file (*.prm).");
+      if (std::any_of(open_files.begin(),
+                      open_files.end(),
+                      [&](const std::string &open_file) {
+                        return fs::equivalent(file_name, open_file, error);
+                      }))
         throw InputError(prefix + "The file '" + file_name +
                          "' includes itself.");
       std::ifstream file(file_name);
@@ -89,9 +119,12 @@ namespace Morsel
       for (std::string line; std::getline(file, line);)
         {
           ++line_number;
-          line = trimmed(line.substr(0, line.find('#')));
           if (whole_line.empty())
             where = file_name + ":" + std::to_string(line_number);
+          if (line_number == 1 && line.rfind(byte_order_mark, 0) == 0)
+            line.erase(0, byte_order_mark.size());
+          check_text(line, where);
+          line               = trimmed(line.substr(0, line.find('#')));
           const bool goes_on = !line.empty() && line.back() == '\\';
           if (goes_on)
             line.pop_back();

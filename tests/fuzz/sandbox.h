@@ -14,8 +14,8 @@ namespace Fuzz
 {
   struct Limits
   {
-    double processor_time = 30.;  ///< [s]
-    double wall_time      = 120.; ///< [s]
+    double processor_time = 60.;  ///< [s]
+    double wall_time      = 900.; ///< [s]: the machine may be busy
     double memory         = 4e9;  ///< addresses [B]; 0: no limit
     double patience = 0.; ///< wall time until SIGTERM is sent [s]; 0: never
   };

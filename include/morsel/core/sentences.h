@@ -1,0 +1,20 @@
+#ifndef morsel_core_sentences_h
+#define morsel_core_sentences_h
+
+#include <string>
+
+namespace Morsel
+{
+  /// The text with a full stop at its end, unless a sentence ends there.
+  std::string
+  as_sentence(const std::string &text);
+
+
+  /// The text as a message may show it: bytes that are no characters of UTF-8
+  /// or would control a terminal become '?', and of what is too long between
+  /// two quotation marks start and end are kept.
+  std::string
+  presentable(const std::string &text);
+} // namespace Morsel
+
+#endif
