@@ -1,5 +1,6 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/parameters.h>
+#include <morsel/core/sentences.h>
 #include <morsel/core/suggestions.h>
 
 #include <algorithm>
@@ -52,21 +53,25 @@ namespace Morsel
     const std::string byte_order_mark = "\xEF\xBB\xBF";
 
 
-    /// Whether a line can be one: texts in UTF-16 have NUL bytes, and old
-    /// Macintosh texts are a single line.
-    void
-    check_text(const std::string &line, const std::string &where)
+    /// Takes the comment and white space off a line, and checks that the rest
+    /// is text: results and reports are in UTF-8 and take names and titles as
+    /// they are.
+    std::string
+    checked_line(std::string line, const std::string &where)
     {
-      if (line.find('\0') != std::string::npos)
-        throw InputError(where +
-                         ": The line has a NUL byte, so this is no text "
-                         "in UTF-8; save it as such (UTF-16 is not "
-                         "read).");
-      const std::size_t last = line.find_last_not_of("\r");
-      if (last != std::string::npos && line.find('\r') < last)
+      if (!line.empty() && line.back() == '\r')
+        line.pop_back();
+      // All of an old Macintosh's text would be one comment.
+      if (line.find('\r') != std::string::npos)
         throw InputError(where + ": A carriage return (CR) stands within the "
                                  "line; save the file with line ends LF or "
                                  "CRLF.");
+      line = trimmed(line.substr(0, line.find('#')));
+      if (find_strange_byte(line) != std::string::npos)
+        throw InputError(where + ": The line has a byte that is no letter of a "
+                                 "text in UTF-8; save the file as such "
+                                 "(UTF-16 and Latin-1 are not read).");
+      return line;
     }
 
 
@@ -123,8 +128,7 @@ namespace Morsel
             where = file_name + ":" + std::to_string(line_number);
           if (line_number == 1 && line.rfind(byte_order_mark, 0) == 0)
             line.erase(0, byte_order_mark.size());
-          check_text(line, where);
-          line               = trimmed(line.substr(0, line.find('#')));
+          line               = checked_line(line, where);
           const bool goes_on = !line.empty() && line.back() == '\\';
           if (goes_on)
             line.pop_back();
@@ -222,7 +226,9 @@ namespace Morsel
   ParameterEntry
   read_override(const std::string &text)
   {
-    const std::string where  = "--set \"" + text + "\"";
+    const std::string where = "--set \"" + text + "\"";
+    if (find_strange_byte(text) != std::string::npos)
+      throw InputError(where + ": This is no text in UTF-8.");
     const std::size_t equals = text.find('=');
     const std::string path   = trimmed(text.substr(0, equals));
     if (equals == std::string::npos || path.empty())

@@ -16,7 +16,9 @@ namespace Morsel
       };
       const unsigned int first = byte(begin);
       if (first < 128)
-        return first == '\n' || (first >= 32 && first != 127) ? 1 : 0;
+        return first == '\n' || first == '\t' || (first >= 32 && first != 127)
+                   ? 1
+                   : 0;
       const std::size_t length = first >= 0xC2 && first < 0xE0   ? 2
                                  : first >= 0xE0 && first < 0xF0 ? 3
                                  : first >= 0xF0 && first < 0xF5 ? 4
@@ -28,6 +30,20 @@ namespace Morsel
       return first == 0xC2 && byte(begin + 1) < 0xA0 ? 0 : length;
     }
   } // namespace
+
+
+  std::size_t
+  find_strange_byte(const std::string &text)
+  {
+    for (std::size_t i = 0; i < text.size();)
+      {
+        const std::size_t length = character_length(text, i);
+        if (length == 0)
+          return i;
+        i += length;
+      }
+    return std::string::npos;
+  }
 
 
   std::string
@@ -61,6 +77,8 @@ namespace Morsel
         const std::size_t length = character_length(result, i);
         if (length == 0)
           result[i] = '?';
+        else if (result[i] == '\t')
+          result[i] = ' ';
         i += std::max<std::size_t>(1, length);
       }
     return result;

@@ -405,6 +405,8 @@ namespace Morsel::Scene
       dealii::CellData<2> cell;
       cell.vertices    = corners;
       cell.material_id = group;
+      if (n_turned == n)
+        std::reverse(cell.vertices.begin() + 1, cell.vertices.end());
       // Gmsh goes round a quadrilateral, deal.II along its rows.
       if (n == 4)
         std::swap(cell.vertices[2], cell.vertices[3]);

@@ -7,6 +7,7 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -132,11 +133,16 @@ namespace Morsel::Scene
     GmshMesh data = read_gmsh(file);
     try
       {
-        dealii::GridTools::delete_unused_vertices(
-            data.vertices, data.cells, data.lines);
-        dealii::GridTools::invert_cells_with_negative_measure(data.vertices,
-                                                              data.cells);
-        dealii::GridTools::consistently_order_cells(data.cells);
+        // deal.II orders quadrilaterals alone.
+        if (std::all_of(
+                data.cells.begin(), data.cells.end(), [](const auto &cell) {
+                  return cell.vertices.size() == 4;
+                }))
+          {
+            dealii::GridTools::delete_unused_vertices(
+                data.vertices, data.cells, data.lines);
+            dealii::GridTools::consistently_order_cells(data.cells);
+          }
         mesh.create_triangulation(data.vertices, data.cells, data.lines);
       }
     catch (const std::exception &)

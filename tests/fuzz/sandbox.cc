@@ -42,6 +42,8 @@ namespace Fuzz
     {
       ::setpgid(0, 0);
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      // MPI's own files.
+      ::setenv("TMPDIR", folder.c_str(), 1);
       if (::getppid() != parent || ::chdir(tree.c_str()) != 0)
         ::_exit(126);
       const int flags = O_WRONLY | O_CREAT | O_TRUNC;

@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(malformed_files_are_refused_with_their_line)
   BOOST_TEST(contains(message("include bad.prm\n"), "includes itself"));
   BOOST_TEST(contains(message("include ./bad.prm\n"), "includes itself"));
   BOOST_TEST(contains(message("include /dev/zero\n"), "no ordinary file"));
-  BOOST_TEST(contains(message(std::string("s\0e\0t\0", 6)), "NUL byte"));
+  BOOST_TEST(contains(message(std::string("s\0e\0t\0", 6)), "UTF-16"));
   BOOST_TEST(
       contains(message("\r\nset A = 1\rset B = 2\n"), "bad.prm:2: A carr"));
 }
@@ -165,6 +165,8 @@ BOOST_AUTO_TEST_CASE(overrides_name_section_and_key)
   BOOST_TEST(entry.value == "a=b");
   BOOST_TEST(read_override("Depth=1").section.empty());
   BOOST_TEST(contains(mistake([] { read_override("Depth"); }), "Give '--set"));
+  BOOST_TEST(
+      contains(mistake([] { read_override("A=\xE9"); }), "no text in UTF-8"));
   BOOST_TEST(contains(mistake([] { read_override("=1"); }), "Give '--set"));
 }
 

@@ -12,9 +12,10 @@ namespace Morsel::Scene
   /// A mesh of the plane as it stands in a file of Gmsh.
   struct GmshMesh
   {
-    std::vector<dealii::Point<2>>    vertices; ///< [m]
-    std::vector<dealii::CellData<2>> cells;    ///< triangles, quadrilaterals
-    dealii::SubCellData              lines;    ///< with their physical groups
+    std::vector<dealii::Point<2>> vertices; ///< [m]
+    /// Triangles and quadrilaterals, turned to the left.
+    std::vector<dealii::CellData<2>> cells;
+    dealii::SubCellData              lines; ///< with their physical groups
   };
 
 
