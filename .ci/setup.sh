@@ -73,3 +73,13 @@ build()
   [ -x "$build/morsel" ] || echo "Building (some minutes the first time) ..."
   quietly "$build/build.log" ninja -C "$build" -j "$(build_jobs)" "$@"
 }
+
+# build_preset NAME: all targets of a preset of CMakePresets.json, in build-NAME/.
+build_preset()
+{
+  local build="$root/build-$1"
+  mkdir -p "$build"
+  (cd "$root" && quietly "$build/configure.log" cmake --preset "$1")
+  echo "Building $build (long the first time) ..."
+  quietly "$build/build.log" ninja -C "$build" -j "$(build_jobs)"
+}

@@ -3,12 +3,11 @@
 #include "costs.h"
 
 #include <morsel/core/errors.h>
+#include <morsel/core/machine.h>
 #include <morsel/core/suggestions.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include <unistd.h>
 
 namespace Morsel
 {
@@ -92,8 +91,7 @@ namespace Morsel
         "XFEM solution",
         "bytes",
         sizes_of(plate, 1. * plate.cells_x * plate.cells_y, unknowns));
-    const double present =
-        1. * sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGE_SIZE);
+    const double present = machine_memory();
     if (needed > present)
       throw InputError(
           "'XFEM/Cells along x' = " + std::to_string(plate.cells_x) +

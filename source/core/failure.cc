@@ -1,5 +1,6 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/failure.h>
+#include <morsel/core/sentences.h>
 #include <morsel/core/suggestions.h>
 
 #include <deal.II/base/exceptions.h>
@@ -99,8 +100,10 @@ namespace Morsel
         }
       catch (const std::bad_alloc &)
         {
-          return {ExitStatus::fault,
-                  "The machine's memory is used up; take fewer particles."};
+          // Like a full disk.
+          return {ExitStatus::bad_files,
+                  "The machine's memory is used up; take fewer particles or "
+                  "cells, or fewer ranks."};
         }
       catch (const std::exception &error)
         {
@@ -145,7 +148,7 @@ namespace Morsel
           all_ranks_arrive(communicator);
       const std::string prefix =
           together ? "morsel: " : "morsel: rank " + std::to_string(rank) + ": ";
-      std::istringstream sentences(failure.sentence);
+      std::istringstream sentences(presentable(failure.sentence));
       if (rank == 0 || !together)
         for (std::string line; std::getline(sentences, line);)
           std::cerr << prefix << line << std::endl;

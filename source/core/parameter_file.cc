@@ -1,5 +1,6 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/parameters.h>
+#include <morsel/core/sentences.h>
 #include <morsel/core/suggestions.h>
 
 #include <algorithm>
@@ -48,6 +49,32 @@ namespace Morsel
     }
 
 
+    /// With which some editors begin a text in UTF-8.
+    const std::string byte_order_mark = "\xEF\xBB\xBF";
+
+
+    /// Takes the comment and white space off a line, and checks that the rest
+    /// is text: results and reports are in UTF-8 and take names and titles as
+    /// they are.
+    std::string
+    checked_line(std::string line, const std::string &where)
+    {
+      if (!line.empty() && line.back() == '\r')
+        line.pop_back();
+      // All of an old Macintosh's text would be one comment.
+      if (line.find('\r') != std::string::npos)
+        throw InputError(where + ": A carriage return (CR) stands within the "
+                                 "line; save the file with line ends LF or "
+                                 "CRLF.");
+      line = trimmed(line.substr(0, line.find('#')));
+      if (find_strange_byte(line) != std::string::npos)
+        throw InputError(where + ": The line has a byte that is no letter of a "
+                                 "text in UTF-8; save the file as such "
+                                 "(UTF-16 and Latin-1 are not read).");
+      return line;
+    }
+
+
     /// White space between words counts as one blank, as in deal.II.
     std::string
     single_blanks(const std::string &text)
@@ -73,7 +100,15 @@ namespace Morsel
       if (fs::is_directory(file_name, error))
         throw InputError(prefix + "'" + file_name +
                          "' is a folder; give a scene file (*.prm).");
-      if (std::count(open_files.begin(), open_files.end(), file_name) > 0)
+      // A device or a pipe may have no end.
+      if (!fs::is_regular_file(file_name, error))
+        throw InputError(prefix + "'" + file_name +
+                         "' is no ordinary file; give a scene file (*.prm).");
+      if (std::any_of(open_files.begin(),
+                      open_files.end(),
+                      [&](const std::string &open_file) {
+                        return fs::equivalent(file_name, open_file, error);
+                      }))
         throw InputError(prefix + "The file '" + file_name +
                          "' includes itself.");
       std::ifstream file(file_name);
@@ -89,9 +124,11 @@ namespace Morsel
       for (std::string line; std::getline(file, line);)
         {
           ++line_number;
-          line = trimmed(line.substr(0, line.find('#')));
           if (whole_line.empty())
             where = file_name + ":" + std::to_string(line_number);
+          if (line_number == 1 && line.rfind(byte_order_mark, 0) == 0)
+            line.erase(0, byte_order_mark.size());
+          line               = checked_line(line, where);
           const bool goes_on = !line.empty() && line.back() == '\\';
           if (goes_on)
             line.pop_back();
@@ -189,7 +226,9 @@ namespace Morsel
   ParameterEntry
   read_override(const std::string &text)
   {
-    const std::string where  = "--set \"" + text + "\"";
+    const std::string where = "--set \"" + text + "\"";
+    if (find_strange_byte(text) != std::string::npos)
+      throw InputError(where + ": This is no text in UTF-8.");
     const std::size_t equals = text.find('=');
     const std::string path   = trimmed(text.substr(0, equals));
     if (equals == std::string::npos || path.empty())

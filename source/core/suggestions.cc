@@ -53,6 +53,9 @@ namespace Morsel
   std::string
   nearest(const std::string &word, const std::vector<std::string> &candidates)
   {
+    // A long text in place of a word is near to nothing, and takes its time.
+    if (word.size() > 500)
+      return "";
     std::string  best;
     unsigned int best_distance = std::numeric_limits<unsigned int>::max();
     for (const std::string &candidate : candidates)

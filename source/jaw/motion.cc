@@ -1,4 +1,5 @@
 #include <morsel/core/errors.h>
+#include <morsel/core/suggestions.h>
 #include <morsel/jaw/motion.h>
 #include <morsel/jaw/prescribed_motion.h>
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -116,6 +118,11 @@ namespace Morsel::Jaw
   MotionTable
   read_motion_table(const std::string &file_name)
   {
+    // A device may have no end.
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file_name, error))
+      throw InputError("there is no file '" + file_name + "'." +
+                       did_you_mean(file_name, files_beside(file_name)));
     std::ifstream file(file_name);
     if (!file)
       throw InputError("the file can't be read");

@@ -1,6 +1,7 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/expression.h>
 #include <morsel/core/number_list.h>
+#include <morsel/core/sentences.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/scene/findings.h>
 
@@ -43,7 +44,7 @@ namespace Morsel::Scene
         }
       catch (const InputError &error)
         {
-          findings.mistake(path, error.what() + std::string("."));
+          findings.mistake(path, as_sentence(error.what()));
         }
     }
 

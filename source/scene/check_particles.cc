@@ -1,3 +1,4 @@
+#include <morsel/core/machine.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/scene/findings.h>
 
@@ -8,6 +9,10 @@ namespace Morsel::Scene
 {
   namespace
   {
+    /// Measured: 416,000 particles that can break take 1.5 GB.
+    constexpr double bytes_per_particle = 3600.;
+
+
     /// How far a lattice of n columns and the nearest number of rows is off
     /// the body's height, relative.
     double
@@ -86,16 +91,24 @@ namespace Morsel::Scene
                           number_text(4. * body.solid.smoothing_ratio) +
                           " of them, so take at least 20, better 50.");
 
-    const double count = body.shape.area() / (body.spacing * body.spacing);
+    const double count     = body.shape.area() / (body.spacing * body.spacing);
+    const double gigabytes = 1e-9 * bytes_per_particle * count;
     if (count > 2e7)
       findings.mistake(path,
                        "the body would have " + number_text(count) +
                            " particles; at most 20 million are allowed.");
+    else if (1e9 * gigabytes > machine_memory())
+      findings.mistake(path,
+                       "the body would have " + number_text(count) +
+                           " particles, which need about " +
+                           number_text(gigabytes) +
+                           " GB of memory; this machine has " +
+                           number_text(1e-9 * machine_memory()) + " GB.");
     else if (count > 1e6)
       findings.advise(path,
                       "the body has " + number_text(count) +
                           " particles, which need about " +
-                          number_text(count * 2e-6) +
+                          number_text(gigabytes) +
                           " GB of memory and a long time.");
 
     if (body.is_plain_lattice())

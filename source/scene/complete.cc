@@ -1,4 +1,5 @@
 #include <morsel/core/errors.h>
+#include <morsel/core/sentences.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/materials/catalogue.h>
 #include <morsel/scene/complete.h>
@@ -57,7 +58,7 @@ namespace Morsel::Scene
           const std::string where = last_place(entries, path);
           throw InputError((where.empty() ? file_name : where) + ": '" + path +
                            "' = '" + last_value(entries, path, "") +
-                           "': " + error.what() + ".");
+                           "': " + as_sentence(error.what()));
         }
     }
 
@@ -118,7 +119,7 @@ namespace Morsel::Scene
         {
           throw InputError(last_place(entries, path) + ": '" + path + "' = '" +
                            last_value(entries, path, "") +
-                           "': " + error.what() + ".");
+                           "': " + as_sentence(error.what()));
         }
     }
 

@@ -1,10 +1,13 @@
 #include <morsel/core/errors.h>
+#include <morsel/core/sentences.h>
 #include <morsel/core/suggestions.h>
+#include <morsel/scene/gmsh.h>
 #include <morsel/scene/mesh.h>
 #include <morsel/scene/outline.h>
 
-#include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -123,21 +126,32 @@ namespace Morsel::Scene
   void
   read_mesh(const std::string &file, dealii::Triangulation<2> &mesh)
   {
-    if (!std::filesystem::is_regular_file(file))
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error))
       throw InputError("there is no file '" + file + "'." +
                        did_you_mean(file, files_beside(file)));
-    // deal.II's own words are kept from the terminal.
-    dealii::GridIn<2> reader(mesh);
+    GmshMesh data = read_gmsh(file);
     try
       {
-        reader.read(file);
+        // deal.II orders quadrilaterals alone.
+        if (std::all_of(
+                data.cells.begin(), data.cells.end(), [](const auto &cell) {
+                  return cell.vertices.size() == 4;
+                }))
+          {
+            dealii::GridTools::delete_unused_vertices(
+                data.vertices, data.cells, data.lines);
+            dealii::GridTools::consistently_order_cells(data.cells);
+          }
+        mesh.create_triangulation(data.vertices, data.cells, data.lines);
       }
     catch (const std::exception &)
       {
+        // deal.II's own words are kept from the terminal.
         throw InputError("'" + file +
-                         "' is no mesh of the plane that can be read; give "
-                         "triangles or quadrilaterals, as in the files .msh "
-                         "of Gmsh.");
+                         "' is no mesh of the plane: its cells do not fit "
+                         "together, or a line is no side of a cell at the "
+                         "boundary; give triangles or quadrilaterals.");
       }
   }
 
@@ -197,7 +211,7 @@ namespace Morsel::Scene
     catch (const InputError &error)
       {
         throw InputError("the boundary of the mesh '" + file +
-                         "': " + error.what() + ".");
+                         "': " + as_sentence(error.what()));
       }
   }
 } // namespace Morsel::Scene

@@ -46,7 +46,7 @@ namespace Morsel::Scene
     prm.add_parameter(
         "Mesh file",
         mesh_file,
-        "Mesh of the body, such as a .msh of Gmsh, relative to the scene's "
+        "Mesh of the body, a .msh of Gmsh (text), relative to the scene's "
         "file: its boundary takes the place of the rectangle's. Triangles or "
         "quadrilaterals for a rigid body, quadrilaterals for an elastic one. "
         "The rectangle between the corners if empty.",

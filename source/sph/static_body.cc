@@ -1,5 +1,6 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/expression.h>
+#include <morsel/core/sentences.h>
 #include <morsel/sph/body_cracks.h>
 #include <morsel/sph/static_body.h>
 
@@ -191,7 +192,7 @@ namespace Morsel::SPH
     catch (const InputError &error)
       {
         throw InputError("Body '" + body.name +
-                         "' has no equilibrium: " + error.what() + ".");
+                         "' has no equilibrium: " + as_sentence(error.what()));
       }
   }
 

@@ -1,6 +1,7 @@
 // Reading of parameter files: what is taken, and what a user is told.
 #include <morsel/core/errors.h>
 #include <morsel/core/parameters.h>
+#include <morsel/core/sentences.h>
 #include <morsel/core/suggestions.h>
 
 #include <deal.II/base/patterns.h>
@@ -148,6 +149,11 @@ BOOST_AUTO_TEST_CASE(malformed_files_are_refused_with_their_line)
   BOOST_TEST(contains(message("subsection A\n"), "an 'end' is missing"));
   BOOST_TEST(contains(message("subsection\nend\n"), "needs a name"));
   BOOST_TEST(contains(message("include bad.prm\n"), "includes itself"));
+  BOOST_TEST(contains(message("include ./bad.prm\n"), "includes itself"));
+  BOOST_TEST(contains(message("include /dev/zero\n"), "no ordinary file"));
+  BOOST_TEST(contains(message(std::string("s\0e\0t\0", 6)), "UTF-16"));
+  BOOST_TEST(
+      contains(message("\r\nset A = 1\rset B = 2\n"), "bad.prm:2: A carr"));
 }
 
 
@@ -159,6 +165,8 @@ BOOST_AUTO_TEST_CASE(overrides_name_section_and_key)
   BOOST_TEST(entry.value == "a=b");
   BOOST_TEST(read_override("Depth=1").section.empty());
   BOOST_TEST(contains(mistake([] { read_override("Depth"); }), "Give '--set"));
+  BOOST_TEST(
+      contains(mistake([] { read_override("A=\xE9"); }), "no text in UTF-8"));
   BOOST_TEST(contains(mistake([] { read_override("=1"); }), "Give '--set"));
 }
 
@@ -224,6 +232,20 @@ BOOST_AUTO_TEST_CASE(suggestions_are_near)
   BOOST_TEST(nearest("carrot", {"almond", "raw carrot"}) == "raw carrot");
   BOOST_TEST(nearest("xyz", {"almond", "raw carrot"}).empty());
   BOOST_TEST(quoted_list({"a", "b", "c"}) == "'a', 'b' and 'c'");
+}
+
+
+BOOST_AUTO_TEST_CASE(messages_can_be_shown)
+{
+  BOOST_TEST(as_sentence("a") == "a.");
+  BOOST_TEST(as_sentence("a?") == "a?");
+  BOOST_TEST(as_sentence("") == ".");
+  BOOST_TEST(presentable("\x1B[2J\r \xE9 \xC3\xA9\n") == "?[2J? ? \xC3\xA9\n");
+  const std::string text = presentable("'" + std::string(300, 'a') + "' = '" +
+                                       std::string(301, 'b') + "' is long.");
+  BOOST_TEST(text == "'" + std::string(300, 'a') + "' = '" +
+                         std::string(60, 'b') + " ... " + std::string(60, 'b') +
+                         "' is long.");
 }
 
 

@@ -11,7 +11,7 @@
 namespace Morsel::Scene
 {
   /// Reads a mesh of the plane.
-  /// @param file in any format that deal.II reads by its ending
+  /// @param file a .msh of Gmsh, see read_gmsh()
   /// @throws InputError, one sentence, if it is none
   void
   read_mesh(const std::string &file, dealii::Triangulation<2> &mesh);

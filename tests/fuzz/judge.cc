@@ -1,0 +1,89 @@
+#include "judge.h"
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+
+namespace Fuzz
+{
+  namespace
+  {
+    bool
+    contains(const std::string &text, const std::string &part)
+    {
+      return text.find(part) != std::string::npos;
+    }
+
+
+    /// What keeps a message from being one clear sentence on a terminal.
+    std::string
+    complaint_on_message(const std::string &message)
+    {
+      if (message.rfind("morsel: ", 0) != 0)
+        return "no sentence that begins with 'morsel: '";
+      if (message.size() > 2000 ||
+          std::count(message.begin(), message.end(), '\n') > 4)
+        return "the message is too long (" + std::to_string(message.size()) +
+               " bytes)";
+      const std::size_t end = message.find_last_not_of('\n');
+      if (message[end] != '.' && message[end] != '?' && message[end] != ')')
+        return "the message is no full sentence";
+      for (const char *const bad : {"'?.", "..\n"})
+        if (contains(message, bad))
+          return std::string("the message has '") + bad + "'";
+      for (const char *const bad :
+           {"A fault inside", "Stacktrace", "terminate called", "Exc"})
+        if (contains(message, bad))
+          return std::string("the message tells of '") + bad + "'";
+      for (const char c : message)
+        if ((static_cast<unsigned char>(c) < 32 && c != '\n') || c == 127)
+          return "the message has a control character";
+      return "";
+    }
+
+
+    /// Files that may not be written, or not at all.
+    std::string
+    complaint_on_files(const Outcome &outcome, const bool nothing_allowed)
+    {
+      for (const std::string &change : outcome.changes)
+        {
+          const bool result = change.rfind("written: output", 0) == 0 ||
+                              change.rfind("written: results", 0) == 0;
+          if (!result)
+            return change + ", outside of the folder of results";
+          if (nothing_allowed)
+            return change + ", though nothing may be written";
+        }
+      return "";
+    }
+  } // namespace
+
+
+  std::string
+  complaint(const Mutation &mutation,
+            const Outcome  &outcome,
+            const bool      validated)
+  {
+    if (outcome.killed)
+      return outcome.interrupted ? "it did not end when interrupted"
+                                 : "it took too long";
+    if (outcome.signal == SIGTERM && outcome.interrupted)
+      return complaint_on_files(outcome, validated);
+    if (outcome.signal != 0)
+      return "signal " + std::to_string(outcome.signal) + " ended it";
+
+    const std::array<int, 4> promised = {{0, 2, 3, 4}};
+    const bool done = outcome.interrupted && outcome.status == 130;
+    if (!done &&
+        std::count(promised.begin(), promised.end(), outcome.status) == 0)
+      return "exit status " + std::to_string(outcome.status);
+    if (outcome.status != 0 && !done)
+      if (const std::string text = complaint_on_message(outcome.errors);
+          !text.empty())
+        return text;
+    if (outcome.status == 0 && mutation.unknown_name)
+      return "accepted with an unknown entry";
+    return complaint_on_files(outcome, validated || outcome.status == 2);
+  }
+} // namespace Fuzz
