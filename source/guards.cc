@@ -240,7 +240,8 @@ namespace Morsel
   {
     const double gap     = ledger.gap(energies);
     const double largest = ledger.largest_term(energies);
-    if (gap <= largest_gap * largest || largest <= noticeable)
+    if (std::isfinite(gap) &&
+        (gap <= largest_gap * largest || largest <= noticeable))
       return {};
     std::ostringstream what;
     what << "The energy ledger does not close any more (its gap is " << gap
