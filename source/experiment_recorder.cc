@@ -116,7 +116,7 @@ namespace Morsel
 
 
   bool
-  ExperimentRecorder::sample_is_due() const
+  ExperimentRecorder::samples_now() const
   {
     return experiment.time() >= next_sample - 1e-9 * scene.time.end_time;
   }
@@ -133,7 +133,7 @@ namespace Morsel
   bool
   ExperimentRecorder::records_now() const
   {
-    return sample_is_due() || frame_is_due();
+    return samples_now() || frame_is_due();
   }
 
 
@@ -158,7 +158,7 @@ namespace Morsel
         }
     if (breaking.active())
       breaking.follow();
-    if (sample_is_due())
+    if (samples_now())
       {
         sample();
         next_sample += scene.time.end_time / scene.output.history_samples;

@@ -30,7 +30,11 @@ namespace Morsel
                        const Experiment   &experiment,
                        RunLog             &log);
 
-    /// Whether follow() is going to write something.
+    /// Whether follow() is going to take the energies in.
+    bool
+    samples_now() const;
+
+    /// Whether it is going to write something.
     bool
     records_now() const;
 
@@ -126,9 +130,6 @@ namespace Morsel
     std::unique_ptr<Output::History>                history;
     std::vector<std::unique_ptr<Output::Frames<0>>> frames;
     Output::Summary                                 summary;
-
-    bool
-    sample_is_due() const;
 
     bool
     frame_is_due() const;

@@ -168,16 +168,19 @@ namespace Morsel
   {
     const SPH::Particles &p = guarded.body->get_particles();
     // What is not finite makes the sum so.
-    double sum = 0., largest = 0.;
+    double sum_x = 0., sum_y = 0., rates_x = 0., rates_y = 0., largest = 0.;
     for (unsigned int i = 0; i < p.n_owned; ++i)
       {
         const Motion &m = p.motion[i];
-        sum += m.u_x + m.u_y + m.v_x + m.v_y;
+        sum_x += m.u_x;
+        sum_y += m.u_y;
+        rates_x += m.v_x;
+        rates_y += m.v_y;
         largest = std::max(largest, m.v_x * m.v_x + m.v_y * m.v_y);
       }
     std::ostringstream what;
     const std::string  of_body = " of body '" + guarded.name + "' ";
-    if (!std::isfinite(sum))
+    if (!std::isfinite(sum_x + sum_y + rates_x + rates_y))
       for (unsigned int i = 0; i < p.n_owned; ++i)
         if (!is_finite(p.motion[i]))
           {
@@ -237,13 +240,15 @@ namespace Morsel
   {
     const double gap     = ledger.gap(energies);
     const double largest = ledger.largest_term(energies);
-    if (gap <= largest_gap * largest || largest <= noticeable)
+    if (std::isfinite(gap) &&
+        (gap <= largest_gap * largest || largest <= noticeable))
       return {};
     std::ostringstream what;
     what << "The energy ledger does not close any more (its gap is " << gap
          << " J, " << 100. * gap / largest
          << " % of its largest term; energy appears or vanishes)";
-    return Finding{Finding::Kind::energy,
+    return Finding{std::isfinite(gap) ? Finding::Kind::energy
+                                      : Finding::Kind::not_finite,
                    what.str(),
                    "a contact that is too stiff or a load that jumps",
                    "lower 'Solid/CFL factor' or 'Contact/Stiffness', or let "

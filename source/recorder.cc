@@ -209,9 +209,16 @@ namespace Morsel
 
 
   bool
+  Recorder::samples_now() const
+  {
+    return history_due.is_due(bite.time());
+  }
+
+
+  bool
   Recorder::records_now() const
   {
-    return history_due.is_due(bite.time()) ||
+    return samples_now() ||
            (scene.output.fields && frame_due.is_due(bite.time()));
   }
 

@@ -70,7 +70,11 @@ namespace Morsel
              RunLog             &log,
              MPI_Comm            communicator);
 
-    /// Whether follow() is going to write something.
+    /// Whether follow() is going to take the energies in.
+    bool
+    samples_now() const;
+
+    /// Whether it is going to write something.
     bool
     records_now() const;
 

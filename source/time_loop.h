@@ -113,6 +113,10 @@ namespace Morsel
     std::optional<Finding>
     check(bool thoroughly);
 
+    /// A ledger has to be open for some steps.
+    std::optional<Finding>
+    check_energy(const Measure::Energies &energies);
+
     /// One step and what follows it. @param interrupted is set
     std::optional<Finding>
     take_step(bool &interrupted);
@@ -144,6 +148,13 @@ namespace Morsel
     std::string
     keep_last_good();
 
+    /// That the ledger is open, and the step that showed it first.
+    struct Suspicion
+    {
+      Finding            finding;
+      unsigned long long since;
+    };
+
     const MakeSystem          make_system;
     const MakeRecorder        make_recorder;
     Checkpoints *const        checkpoints;
@@ -154,14 +165,19 @@ namespace Morsel
     StepControl               control;
     std::unique_ptr<Recorder> recorder;
     std::optional<RunState>   candidate; ///< a state that is not checked yet
+    std::optional<Suspicion>  suspicion;
+    unsigned long long        energy_known = 0; ///< step of the last check
     LoopReport                report;
   };
 
 
   /// Particles are looked at every so many steps, the energy ledger, whose sums
-  /// cost half a step, more seldom.
-  constexpr unsigned int steps_between_checks        = 10;
-  constexpr unsigned int steps_between_energy_checks = 50;
+  /// cost most of a step, more seldom, unless the recorder makes them anyway.
+  constexpr unsigned int steps_between_checks        = 20;
+  constexpr unsigned int steps_between_energy_checks = 80;
+
+  /// Velocities that jump as prescribed open the ledger for one step.
+  constexpr unsigned int steps_of_suspicion = 2;
 
 
   template <typename System, typename Recorder>
@@ -234,7 +250,7 @@ namespace Morsel
     std::optional<Finding> finding     = check(true);
     for (;;)
       {
-        if (!finding && candidate)
+        if (!finding && candidate && !suspicion)
           control.keep(std::move(*candidate));
         candidate.reset();
         if (!finding && !interrupted)
@@ -244,6 +260,8 @@ namespace Morsel
           log.progress(recorder->progress(), system->time(), system->step());
         else if (!finding)
           finding = check(true);
+        if (!finding && finished && suspicion)
+          finding = suspicion->finding;
         if (!finding && (finished || interrupted))
           {
             report.interrupted = !finished;
@@ -305,9 +323,12 @@ namespace Morsel
   std::optional<Finding>
   TimeLoop<System, Recorder>::follow()
   {
-    return finding_of([&] {
+    const bool samples = recorder->samples_now();
+    return finding_of([&]() -> std::optional<Finding> {
       recorder->follow();
-      return std::optional<Finding>();
+      if (!samples)
+        return {};
+      return check_energy(recorder->energy_ledger().last());
     });
   }
 
@@ -317,16 +338,33 @@ namespace Morsel
   TimeLoop<System, Recorder>::check(const bool thoroughly)
   {
     const auto timer = log.section("guards");
-    const auto due   = [&](const unsigned int steps) {
-      return thoroughly || system->step() % steps == 0;
-    };
-    if (due(steps_between_checks) || recorder->records_now())
+    if (thoroughly || system->step() % steps_between_checks == 0 ||
+        recorder->records_now())
       if (const auto finding = guards->check_particles())
         return finding;
-    if (due(steps_between_energy_checks))
-      return guards->check_energy(system->energies(),
-                                  recorder->energy_ledger());
-    return {};
+    if (!thoroughly && !suspicion &&
+        system->step() < energy_known + steps_between_energy_checks)
+      return {};
+    return check_energy(system->energies());
+  }
+
+
+  template <typename System, typename Recorder>
+  std::optional<Finding>
+  TimeLoop<System, Recorder>::check_energy(const Measure::Energies &energies)
+  {
+    energy_known = system->step();
+    const auto finding =
+        guards->check_energy(energies, recorder->energy_ledger());
+    if (!finding)
+      suspicion.reset();
+    if (!finding || finding->kind != Finding::Kind::energy)
+      return finding;
+    if (!suspicion)
+      suspicion = Suspicion{*finding, system->step()};
+    if (system->step() < suspicion->since + steps_of_suspicion)
+      return {};
+    return finding;
   }
 
 
@@ -367,6 +405,8 @@ namespace Morsel
     recorder = make_recorder(*system);
     load_state(*system, good.system);
     load_state(*recorder, good.recorder);
+    energy_known = system->step();
+    suspicion.reset();
     if (time_step != system->time_step())
       system->change_time_step(time_step);
   }

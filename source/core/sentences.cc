@@ -57,7 +57,8 @@ namespace Morsel
   std::string
   presentable(const std::string &text)
   {
-    const std::size_t longest = 300, kept = 60;
+    // No sentence of the program's own is as long without a quotation.
+    const std::size_t longest = 800, kept = 100;
     std::string       result;
     for (std::size_t begin = 0; begin <= text.size();)
       {

@@ -138,14 +138,15 @@ namespace Morsel::Scene
       void
       read_entities();
 
+      /// @param end of the section
       void
-      read_nodes();
+      read_nodes(const std::string &end);
 
       void
       read_node_position(unsigned long tag);
 
       void
-      read_elements();
+      read_elements(const std::string &end);
 
       /// Its corners; @param group physical one, 0 if none
       void
@@ -172,19 +173,27 @@ namespace Morsel::Scene
     Reader::read()
     {
       std::string word;
-      if (!words.next(word) || word != "$MeshFormat")
+      if (!words.next(word) || (word != "$MeshFormat" && word != "$NOD"))
         throw InputError("'" + file +
                          "' is no mesh that can be read; give a .msh of Gmsh "
-                         "(text, version 2 or 4), which begins with "
-                         "'$MeshFormat'.");
-      read_format();
+                         "(text, version 1, 2 or 4), which begins with "
+                         "'$MeshFormat' or '$NOD'.");
+      if (word == "$NOD")
+        {
+          version = 1;
+          read_nodes("$ENDNOD");
+        }
+      else
+        read_format();
       while (words.next(word))
         if (word == "$Entities" && version == 4)
           read_entities();
-        else if (word == "$Nodes")
-          read_nodes();
-        else if (word == "$Elements")
-          read_elements();
+        else if (word == "$Nodes" && version > 1)
+          read_nodes("$EndNodes");
+        else if (word == "$Elements" && version > 1)
+          read_elements("$EndElements");
+        else if (word == "$ELM" && version == 1)
+          read_elements("$ENDELM");
         else if (word.size() > 1 && word[0] == '$')
           skip_section(word.substr(1));
         else
@@ -264,10 +273,10 @@ namespace Morsel::Scene
 
 
     void
-    Reader::read_nodes()
+    Reader::read_nodes(const std::string &end)
     {
       const unsigned long n = words.whole("the number of nodes");
-      if (version == 2)
+      if (version < 4)
         for (unsigned long i = 0; i < n; ++i)
           read_node_position(words.whole("a node's number"));
       else
@@ -288,21 +297,23 @@ namespace Morsel::Scene
                 read_node_position(tag);
             }
         }
-      words.expect_word("$EndNodes");
+      words.expect_word(end);
     }
 
 
     void
-    Reader::read_elements()
+    Reader::read_elements(const std::string &end)
     {
       const unsigned long n = words.whole("the number of elements");
-      if (version == 2)
+      if (version < 4)
         for (unsigned long i = 0; i < n; ++i)
           {
             words.whole("an element's number");
-            const unsigned long type   = words.whole("an element's type");
-            const unsigned long n_tags = words.whole("the number of tags");
-            unsigned long       group  = 0;
+            const unsigned long type = words.whole("an element's type");
+            // The groups, and in version 1 the number of nodes.
+            const unsigned long n_tags =
+                version == 1 ? 3 : words.whole("the number of tags");
+            unsigned long group = 0;
             for (unsigned long k = 0; k < n_tags; ++k)
               {
                 const unsigned long tag = words.whole("a tag");
@@ -331,7 +342,7 @@ namespace Morsel::Scene
                 }
             }
         }
-      words.expect_word("$EndElements");
+      words.expect_word(end);
     }
 
 

@@ -92,8 +92,10 @@ namespace Morsel::Study
                         "is one.");
       prm.add_parameter("From", axis.from, "First value [unit of the axis].");
       prm.add_parameter("To", axis.to, "Last value [unit of the axis].");
-      prm.add_parameter(
-          "Count", axis.count, "Number of values [1].", Patterns::Integer(0));
+      prm.add_parameter("Count",
+                        axis.count,
+                        "Number of values [1].",
+                        Patterns::Integer(0, 10000));
       prm.add_parameter("Seed",
                         axis.seed,
                         "Of the draws, or the first of the seeds [1].",

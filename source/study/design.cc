@@ -12,6 +12,10 @@ namespace Morsel::Study
 {
   namespace
   {
+    /// Of a series: more are a slip of the pen, or take years.
+    constexpr double most_runs = 10000.;
+
+
     /// Values From ... To of a linear, logarithmic or random axis.
     std::vector<double>
     range_values(const Axis &axis)
@@ -201,9 +205,14 @@ namespace Morsel::Study
       std::vector<unsigned int> sizes;
       const std::vector<Factor> factors =
           factors_of(study, study.series[number], sizes);
-      unsigned int n_runs = 1;
+      double n_runs = 1.;
       for (const unsigned int size : sizes)
         n_runs *= size;
+      if (n_runs > most_runs)
+        throw InputError("Series '" + study.series[number].name +
+                         "' would take " + number_text(n_runs) +
+                         " runs; at most 10000 are allowed: give its axes "
+                         "fewer values.");
       for (unsigned int i = 0; i < n_runs; ++i)
         {
           // The digits of i in the mixed base of the sizes, last one fastest.

@@ -96,6 +96,7 @@ namespace
     std::vector<Worker>   workers;
 
     std::map<std::string, unsigned int> endings;
+    std::uint64_t                       n_done         = 0;
     unsigned int                        n_failures     = 0;
     double                              processor_time = 0.;
     double                              longest = 0., largest = 0.;
@@ -239,6 +240,11 @@ namespace
   void
   Campaign::finish(const Mutant &mutant, const Outcome &outcome)
   {
+    const std::uint64_t tenth =
+        std::max<std::uint64_t>(settings.n_mutants / 10, 1);
+    if (++n_done % tenth == 0)
+      std::cout << n_done << " mutants, " << n_failures << " failures"
+                << std::endl;
     ++endings[outcome.signal != 0 ? "signal " + std::to_string(outcome.signal)
                                   : "status " + std::to_string(outcome.status)];
     processor_time += outcome.processor_time;

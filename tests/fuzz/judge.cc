@@ -1,4 +1,5 @@
 #include "judge.h"
+#include "gallery.h"
 
 #include <algorithm>
 #include <array>
@@ -19,10 +20,15 @@ namespace Fuzz
     std::string
     complaint_on_message(const std::string &message)
     {
-      if (message.rfind("morsel: ", 0) != 0)
-        return "no sentence that begins with 'morsel: '";
-      if (message.size() > 2000 ||
-          std::count(message.begin(), message.end(), '\n') > 4)
+      // A sentence for each mistake that was found, each in a line.
+      const std::vector<std::string> sentences = split_lines(message);
+      for (const std::string &sentence : sentences)
+        if (sentence.rfind("morsel: ", 0) != 0)
+          return "a line that does not begin with 'morsel: '";
+      if (sentences.empty())
+        return "no sentence that tells why";
+      if (sentences.size() > 20 ||
+          message.size() > 800 * sentences.size() + 1200)
         return "the message is too long (" + std::to_string(message.size()) +
                " bytes)";
       const std::size_t end = message.find_last_not_of('\n');

@@ -237,7 +237,7 @@ namespace Fuzz
             std::swap(parts[k], parts[random.below(parts.size())]);
             break;
           default:
-            parts.insert(parts.begin() + k, 1000, parts[k]);
+            parts.insert(parts.begin() + k, 100, parts[k]);
         }
       std::string result;
       for (std::size_t i = 0; i < parts.size(); ++i)

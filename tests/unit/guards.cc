@@ -152,6 +152,11 @@ namespace
     {}
 
     bool
+    samples_now() const
+    {
+      return false;
+    }
+    bool
     records_now() const
     {
       return true;
@@ -343,6 +348,9 @@ BOOST_AUTO_TEST_CASE(energy_from_nowhere_is_named)
       e.strain           = strain * unit;
       const auto finding = guards.check_energy(e, ledger);
       BOOST_REQUIRE(finding);
+      BOOST_TEST((finding->kind == (std::isfinite(strain)
+                                        ? Finding::Kind::energy
+                                        : Finding::Kind::not_finite)));
       check_says(sentence(*finding, safe, {}),
                  {"energy ledger does not close"});
     }

@@ -19,7 +19,7 @@ namespace Morsel::Scene
   };
 
 
-  /// Reads Gmsh's text format, version 2 or 4 (Gmsh's manual, "MSH file
+  /// Reads Gmsh's text format, version 1, 2 or 4 (Gmsh's manual, "MSH file
   /// format"). deal.II's reader trusts the file: it loops for ever where a
   /// section is left open, and takes numbers of nodes that there are not.
   /// Checked here: every word, that cells have corners that exist, differ, and
