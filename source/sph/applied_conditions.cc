@@ -164,9 +164,12 @@ namespace Morsel::SPH
                             const double     half_step,
                             const double     kick)
   {
+    // The mean of the velocities before and after the kick: times the impulse
+    // it is the change of the kinetic energy, also where motion sets in with a
+    // jump.
     const auto velocity = [&](const unsigned int i) {
-      return Vector2{p.half_velocity[i].x + half_step * p.acceleration[i].x,
-                     p.half_velocity[i].y + half_step * p.acceleration[i].y};
+      return Vector2{p.half_velocity[i].x + 0.5 * kick * p.acceleration[i].x,
+                     p.half_velocity[i].y + 0.5 * kick * p.acceleration[i].y};
     };
     done += to_come;
     given.x += impulse_to_come.x;
@@ -191,7 +194,13 @@ namespace Morsel::SPH
         total.x += q.reaction.x;
         total.y += q.reaction.y;
       }
-    to_come         = power * kick;
+    to_come = power * kick;
+    // work() takes half of what is to come for done; at first nothing is.
+    if (half_step == 0.)
+      {
+        done -= to_come;
+        to_come *= 2.;
+      }
     impulse_to_come = {total.x * kick, total.y * kick};
   }
 

@@ -1,4 +1,5 @@
 #include <morsel/core/errors.h>
+#include <morsel/core/suggestions.h>
 #include <morsel/sph/body_cloud.h>
 #include <morsel/sph/body_cracks.h>
 #include <morsel/sph/highest_frequency.h>
@@ -190,9 +191,12 @@ namespace Morsel::SPH
         const Symmetric2 m = bonds.moment(i);
         if (smaller_eigenvalue(m) < 1e-3 * bonds.full_moment)
           throw InputError(
-              "Body '" + body.name +
-              "': its particles do not span the plane (a single row or column "
-              "has no strain across it); use at least two rows and columns.");
+              "Body '" + body.name + "': the neighbours of the particle at (" +
+              number_text(particles.reference[i][0]) + ", " +
+              number_text(particles.reference[i][1]) +
+              ") m do not span the plane (a single row or column, or cracks "
+              "that cut it off), so that it has no strain; use at least two "
+              "rows and columns, and keep cracks that far apart.");
         if (conforming)
           {
             renew_conforming(particles, bonds, i);

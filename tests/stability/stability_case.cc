@@ -239,7 +239,7 @@ namespace
         std::cout << "  FAILED: that is no sentence\n";
         good = false;
       }
-    if (run.status == 2 && std::filesystem::exists(run.name))
+    if (run.status == 2 && std::filesystem::exists(run.name + "/summary.json"))
       {
         std::cout << "  FAILED: bad input, and yet there are results\n";
         good = false;
