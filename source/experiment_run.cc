@@ -3,14 +3,12 @@
 #include "checkpoints.h"
 #include "experiment.h"
 #include "experiment_recorder.h"
+#include "run_beginning.h"
 #include "static_run.h"
 #include "time_loop.h"
 #include "trial_steps.h"
 
-#include <morsel/core/atomic_file.h>
-#include <morsel/core/command_line.h>
 #include <morsel/core/errors.h>
-#include <morsel/core/failure.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/measure/crack_gauge.h>
 
@@ -58,19 +56,7 @@ namespace Morsel
         return;
       }
     Checkpoints checkpoints(scene, options, MPI_COMM_SELF);
-    FirstRank().run(
-        [&] { prepare_output_directory(options.output_directory); });
-    RunLog log(options.output_directory + "/run.log",
-               options.quiet,
-               true,
-               options.resume);
-    checkpoints.begin(log);
-    write_atomically(options.output_directory + "/used.prm",
-                     scene.used_parameters);
-    log << scene.title << '\n';
-    for (const auto &advice : scene.warnings)
-      log.warning(advice);
-
+    RunLog      log("", options.quiet, true);
     TimeLoop<Experiment, ExperimentRecorder> loop(
         [&] { return std::make_unique<Experiment>(scene, log); },
         [&](Experiment &system) {
@@ -81,6 +67,7 @@ namespace Morsel
         &checkpoints,
         log,
         MPI_COMM_SELF);
+    begin_results(scene, options, checkpoints, log);
     const Experiment  &experiment = loop.get_system();
     std::ostringstream text;
     text << experiment.particle_count() << " particles, step "

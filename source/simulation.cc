@@ -4,11 +4,10 @@
 #include "elastic_plates.h"
 #include "experiment_run.h"
 #include "recorder.h"
+#include "run_beginning.h"
 #include "time_loop.h"
 #include "trial_steps.h"
 
-#include <morsel/core/atomic_file.h>
-#include <morsel/core/command_line.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/failure.h>
 #include <morsel/core/suggestions.h>
@@ -76,24 +75,9 @@ namespace Morsel
         return;
       }
     check_cracked_bodies(scene);
-    const MPI_Comm  communicator = MPI_COMM_WORLD;
-    Checkpoints     checkpoints(scene, options, communicator);
-    const FirstRank writer;
-    writer.run([&] { prepare_output_directory(options.output_directory); });
-    const bool first_rank =
-        dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-    RunLog log(options.output_directory + "/run.log",
-               options.quiet,
-               first_rank,
-               options.resume);
-    checkpoints.begin(log);
-    if (first_rank)
-      write_atomically(options.output_directory + "/used.prm",
-                       scene.used_parameters);
-    log << scene.title << '\n';
-    for (const auto &advice : scene.warnings)
-      log.warning(advice);
-
+    const MPI_Comm           communicator = MPI_COMM_WORLD;
+    Checkpoints              checkpoints(scene, options, communicator);
+    RunLog                   log("", options.quiet, FirstRank().is_this_rank());
     TimeLoop<Bite, Recorder> loop(
         [&] { return std::make_unique<Bite>(scene, communicator, log); },
         [&](Bite &system) {
@@ -104,6 +88,7 @@ namespace Morsel
         &checkpoints,
         log,
         communicator);
+    begin_results(scene, options, checkpoints, log);
     {
       const Bite        &bite = loop.get_system();
       std::ostringstream text;

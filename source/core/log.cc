@@ -50,8 +50,7 @@ namespace Morsel
 
   RunLog::RunLog(const std::string &file_name,
                  const bool         quiet,
-                 const bool         active,
-                 const bool         append)
+                 const bool         active)
       : to_terminal(active && !quiet)
       , active(active)
       , live_line_allowed(to_terminal && isatty(STDOUT_FILENO) != 0)
@@ -59,12 +58,22 @@ namespace Morsel
       , progress_begin(begin)
       , last_shown(begin)
   {
-    if (!active || file_name.empty())
+    if (!file_name.empty())
+      open(file_name);
+  }
+
+
+  void
+  RunLog::open(const std::string &file_name, const bool append)
+  {
+    if (!active)
       return;
     file.open(file_name, append ? std::ios::app : std::ios::trunc);
     if (!file)
       throw FileError("The log '" + file_name +
                       "' cannot be opened for writing.");
+    file << before_file << std::flush;
+    before_file.clear();
   }
 
 
@@ -99,6 +108,8 @@ namespace Morsel
       }
     if (file.is_open())
       file << text;
+    else
+      before_file += text;
     if (to_terminal)
       std::cout << text;
   }

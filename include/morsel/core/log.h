@@ -20,15 +20,18 @@ namespace Morsel
   {
   public:
     /// Opens the log.
-    /// @param file_name run.log, or empty for none.
+    /// @param file_name run.log, or empty for none or none as yet.
     /// @param quiet nothing goes to the terminal.
     /// @param active whether this rank writes at all (rank 0).
+    /// @throw FileError if the file cannot be opened.
+    RunLog(const std::string &file_name, bool quiet, bool active);
+
+    /// Opens the file of a log that has none as yet, and writes to it what
+    /// came before.
     /// @param append to what a run that goes on has logged.
     /// @throw FileError if the file cannot be opened.
-    RunLog(const std::string &file_name,
-           bool               quiet,
-           bool               active,
-           bool               append = false);
+    void
+    open(const std::string &file_name, bool append = false);
 
     ~RunLog();
 
@@ -145,6 +148,7 @@ namespace Morsel
     using Clock = std::chrono::steady_clock;
 
     std::ofstream     file;
+    std::string       before_file; ///< what was logged before it was opened
     bool              to_terminal;
     bool              active;
     bool              live_line_allowed;
