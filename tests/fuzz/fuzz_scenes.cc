@@ -174,8 +174,7 @@ namespace
     const std::string file = mutant.target.file;
     std::string       text = read_file(root + "/" + file);
     if (fs::path(file).extension() == ".prm")
-      mutant.mutation = mutate_scene(
-          settings.run ? shrunk(text) : text, gallery, known_keys, random);
+      mutant.mutation = mutate_scene(shrunk(text), gallery, known_keys, random);
     else
       mutant.mutation = mutate_data(text, random);
 
@@ -355,14 +354,13 @@ main(int argc, char **argv)
   app.add_option("--jobs", settings.jobs, "Runs at a time")
       ->capture_default_str()
       ->check(CLI::Range(1, 256));
-  app.add_flag("--run",
-               settings.run,
-               "Run the scenes, made smaller; else --validate them");
+  app.add_flag("--run", settings.run, "Run the scenes; else --validate them");
   settings.limits.patience = -1.;
-  app.add_option("--patience",
-                 settings.limits.patience,
-                 "A run is interrupted after this time [s] and must end "
-                 "(default: 6 with --run)");
+  app.add_option(
+      "--patience",
+      settings.limits.patience,
+      "A run is interrupted after this processor time [s] and must end "
+      "(default: 6 with --run)");
   app.add_option("--memory", settings.limits.memory, "Limit of addresses [B]")
       ->capture_default_str();
   app.add_option("--time",

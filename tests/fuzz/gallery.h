@@ -48,7 +48,8 @@ namespace Fuzz
   std::set<std::string>
   keys_of(const std::string &text);
 
-  /// Fewer particles, cells, steps and runs, so that a run takes seconds.
+  /// Fewer particles, cells, steps and runs, so that a run takes seconds
+  /// and its validation, which tries a few steps, a fraction of one.
   std::string
   shrunk(const std::string &scene);
 } // namespace Fuzz

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include <fcntl.h>
@@ -55,6 +56,23 @@ namespace Fuzz
       limit(RLIMIT_FSIZE, 1e9);
       if (limits.memory > 0.)
         limit(RLIMIT_AS, limits.memory);
+    }
+
+
+    /// Of a process so far [s]: fields 14 and 15 of proc(5)'s stat.
+    double
+    processor_time_of(const pid_t process)
+    {
+      std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+      std::string   text;
+      std::getline(file, text);
+      std::istringstream fields(text.substr(text.rfind(')') + 1));
+      std::string        skipped;
+      for (unsigned int i = 3; i < 14; ++i)
+        fields >> skipped;
+      double user = 0., system = 0.;
+      fields >> user >> system;
+      return (user + system) / ::sysconf(_SC_CLK_TCK);
     }
 
 
@@ -155,13 +173,17 @@ namespace Fuzz
         const double age = std::chrono::duration<double>(
                                std::chrono::steady_clock::now() - begin)
                                .count();
-        if (limits.patience > 0. && age > limits.patience && !was_interrupted)
+        // A study's time is that of its children, which shows late.
+        if (limits.patience > 0. && !was_interrupted &&
+            (processor_time_of(child) > limits.patience ||
+             age > 10. * limits.patience))
           {
             was_interrupted = true;
+            interrupted_at  = age;
             ::kill(child, SIGTERM);
           }
         const double end =
-            was_interrupted ? limits.patience + time_to_end : limits.wall_time;
+            was_interrupted ? interrupted_at + time_to_end : limits.wall_time;
         if (age > end && !was_killed)
           {
             was_killed = true;

@@ -17,7 +17,8 @@ namespace Fuzz
     double processor_time = 60.;  ///< [s]
     double wall_time      = 900.; ///< [s]: the machine may be busy
     double memory         = 4e9;  ///< addresses [B]; 0: no limit
-    double patience = 0.; ///< wall time until SIGTERM is sent [s]; 0: never
+    /// Processor time until SIGTERM is sent [s]; 0: never.
+    double patience = 0.;
   };
 
 
@@ -85,7 +86,8 @@ namespace Fuzz
     std::string folder, tree, root;
     Snapshot    before;
     std::string replaced_file;
-    pid_t       child = 0;
+    double      interrupted_at = 0.; ///< wall time [s]
+    pid_t       child          = 0;
     Limits      limits;
     bool        was_interrupted = false, was_killed = false;
     std::chrono::steady_clock::time_point begin;
