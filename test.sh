@@ -24,7 +24,11 @@ for argument in "$@"; do
   esac
 done
 
-install_packages
+if [ "$preset" = coverage ]; then
+  install_packages gcovr
+else
+  install_packages
+fi
 if [ -n "$preset" ]; then
   folder="$root/build-$preset"
   build_preset "$preset"
@@ -53,6 +57,7 @@ else
   sed -n '/tests passed/,$p' "$log"
 fi
 if [ "$preset" = coverage ]; then
-  /usr/bin/python3 "$root/tests/coverage.py" "$root" "$folder"
+  gcovr --root "$root" --filter "$root/source/" --filter "$root/include/" \
+    --print-summary "$folder"
 fi
 exit $status

@@ -19,6 +19,7 @@ quietly()
   fi
 }
 
+# install_packages [PACKAGE...]: those of .ci/packages.txt, and these.
 install_packages()
 {
   local package missing=()
@@ -26,7 +27,7 @@ install_packages()
     case "$package" in '' | '#'*) continue ;; esac
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null |
       grep -q 'ok installed' || missing+=("$package")
-  done <"$root/.ci/packages.txt"
+  done < <(cat "$root/.ci/packages.txt" && printf '%s\n' "$@")
   [ ${#missing[@]} -eq 0 ] && return
 
   local as_root=()
