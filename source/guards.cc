@@ -244,11 +244,15 @@ namespace Morsel
         (gap <= largest_gap * largest || largest <= noticeable))
       return {};
     std::ostringstream what;
+    if (!std::isfinite(gap))
+      return Finding{Finding::Kind::not_finite,
+                     "The energy is not finite any more",
+                     hard_load,
+                     softer_load};
     what << "The energy ledger does not close any more (its gap is " << gap
          << " J, " << 100. * gap / largest
          << " % of its largest term; energy appears or vanishes)";
-    return Finding{std::isfinite(gap) ? Finding::Kind::energy
-                                      : Finding::Kind::not_finite,
+    return Finding{Finding::Kind::energy,
                    what.str(),
                    "a contact that is too stiff or a load that jumps",
                    "lower 'Solid/CFL factor' or 'Contact/Stiffness', or let "
