@@ -241,11 +241,11 @@ BOOST_AUTO_TEST_CASE(messages_can_be_shown)
   BOOST_TEST(as_sentence("a?") == "a?");
   BOOST_TEST(as_sentence("") == ".");
   BOOST_TEST(presentable("\x1B[2J\r \xE9 \xC3\xA9\n") == "?[2J? ? \xC3\xA9\n");
-  const std::string text = presentable("'" + std::string(300, 'a') + "' = '" +
-                                       std::string(301, 'b') + "' is long.");
-  BOOST_TEST(text == "'" + std::string(300, 'a') + "' = '" +
-                         std::string(60, 'b') + " ... " + std::string(60, 'b') +
-                         "' is long.");
+  const std::string text = presentable("'" + std::string(800, 'a') + "' = '" +
+                                       std::string(801, 'b') + "' is long.");
+  BOOST_TEST(text == "'" + std::string(800, 'a') + "' = '" +
+                         std::string(100, 'b') + " ... " +
+                         std::string(100, 'b') + "' is long.");
 }
 
 
