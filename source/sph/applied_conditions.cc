@@ -9,11 +9,14 @@ namespace Morsel::SPH
 {
   namespace
   {
-    /// By which prescribed velocities may be missed, over the largest. Where
-    /// held sides meet at a corner up to 1e-4 is left after all sweeps and
-    /// falls but slowly; conditions that contradict each other miss by as much
-    /// as they differ.
+    /// By which prescribed velocities may be missed, over the largest of the
+    /// particles that are held.
     constexpr double largest_miss = 1e-3;
+
+    /// Sweeps leave no more than this share of the first gap. Where held sides
+    /// meet at a corner they end slowly, but conditions that contradict each
+    /// other go on missing by as much as they differ.
+    constexpr double largest_remainder = 0.5;
 
 
     /// Corrects accelerations until all prescribed velocities hold. Conditions
@@ -40,7 +43,8 @@ namespace Morsel::SPH
           if (!(largest.gap > 1e-12 * first_gap + 1e-14 * largest.speed))
             break;
           if (sweep + 1 == most_sweeps &&
-              largest.gap > largest_miss * largest.speed)
+              largest.gap > largest_miss * largest.speed &&
+              largest.gap > largest_remainder * first_gap)
             throw NumericalError(
                 "The conditions of body '" + conditions.front()->body() +
                 "' prescribe motions that contradict each other (they are "
