@@ -32,5 +32,4 @@ namespace Morsel::Jaw
     state.same(R, w, half_velocity, acceleration, outer_loads);
     state.same(surface_velocity, last_drive, lag);
   }
-
 } // namespace Morsel::Jaw

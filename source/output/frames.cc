@@ -322,8 +322,9 @@ namespace Morsel::Output
   {
     namespace fs                 = std::filesystem;
     const std::string final_name = folder + "/" + h5_name;
-    const FirstRank   first;
-    first.run([&] {
+    run_on_all_ranks(communicator, [&] {
+      if (rank() != 0)
+        return;
       std::error_code error;
       if (written)
         fs::rename(temporary, final_name, error);

@@ -9,10 +9,10 @@ namespace Morsel
   enum class ExitStatus
   {
     done        = 0,
-    fault       = 1, ///< a fault of the program, or no memory
+    fault       = 1, ///< a fault of the program
     bad_input   = 2,
     bad_numbers = 3,
-    bad_files   = 4,
+    bad_files   = 4, ///< or no memory left
     interrupted = 130
   };
 
