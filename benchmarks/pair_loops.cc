@@ -22,7 +22,9 @@ namespace
   /// deformed and moves, with everything allocated that an effect may need.
   struct Lattice
   {
-    explicit Lattice(const unsigned int across, const bool conforming = false)
+    explicit Lattice(const unsigned int across,
+                     const bool         conforming = false,
+                     const bool         on_lattice = true)
         : kernel(KernelKind::cubic_b_spline, 1.3 * spacing)
         , material(2e7, 0.3, 1000.)
     {
@@ -62,6 +64,9 @@ namespace
           SPH::renew_conforming(p, bonds, i);
         else
           p.shape.push_back(SPH::inverse(bonds.moment(i)));
+
+      if (!conforming && on_lattice)
+        bonds.lattice.find(p, bonds, 0);
 
       constants.mu                = material.mu;
       constants.bulk              = material.bulk;
@@ -126,11 +131,14 @@ namespace
     const auto force =
         (conforming ? kernels.force_conforming
                     : kernels.force)[viscosity][damage || grains];
-    const auto         driver = kernels.own_driver[2];
-    const auto         arrays = SPH::bonded_arrays(lattice.p, lattice.bonds);
-    const unsigned int n      = lattice.p.n_groups();
+    const auto         driver  = kernels.own_driver[2];
+    const auto         arrays  = SPH::bonded_arrays(lattice.p, lattice.bonds);
+    const unsigned int n       = lattice.p.n_groups();
+    const auto         columns = kernels.columns[viscosity];
     for (auto _ : state)
       {
+        if (arrays.lattice.use)
+          columns(arrays, lattice.constants, 0, n);
         strain(arrays, lattice.constants, 0, n);
         if (damage)
           driver(arrays, lattice.constants, 0, n);

@@ -118,10 +118,11 @@ namespace Morsel::SPH
     for (const unsigned int entry : {k, mirror[k]})
       {
         const unsigned int p = packed.place[entry];
-        live[entry]          = false;
-        weight[entry]        = 0.;
-        packed.weight[p]     = 0.;
-        packed.average[p]    = 0.;
+        lattice.leave(list.index[mirror[entry]], list);
+        live[entry]       = false;
+        weight[entry]     = 0.;
+        packed.weight[p]  = 0.;
+        packed.average[p] = 0.;
         if (!is_conforming())
           continue;
         own[entry] = back[entry] = {0., 0.};

@@ -8,21 +8,46 @@ namespace Morsel::SPH
   using Materials::Tensor2;
 
   BondedArrays
-  bonded_arrays(Particles &p, const Bonds &bonds)
+  bonded_arrays(Particles &p, Bonds &bonds)
   {
     const PackedBonds  &b       = bonds.packed;
     const double *const modulus = p.modulus.empty() ? nullptr : &p.modulus[0];
-    return {b.slot_begin.data(),  b.slot_end.data(),   b.near_end.data(),
-            b.weight.data(),      b.dx.data(),         b.dy.data(),
-            b.average.data(),     b.index.data(),      p.n_owned,
-            p.motion.data(),      p.shape.data(),      p.hourglass.data(),
-            p.damage.data(),      p.near_face.data(),  p.gradient.data(),
-            p.pair_stress.data(), p.effective.data(),  p.acceleration.data(),
-            p.viscous.data(),     p.driver.data(),     p.crushed.data(),
-            p.strongest.data(),   p.fit.data(),        p.mass.data(),
-            b.own_x.data(),       b.own_y.data(),      b.back_x.data(),
-            b.back_y.data(),      b.damping.data(),    p.own_sum.data(),
-            p.deficit.data(),     p.fit_stress.data(), modulus};
+    LatticeArrays       lattice;
+    bonds.lattice.describe(lattice);
+    return {b.slot_begin.data(),
+            b.slot_end.data(),
+            b.near_end.data(),
+            b.weight.data(),
+            b.dx.data(),
+            b.dy.data(),
+            b.average.data(),
+            b.index.data(),
+            p.n_owned,
+            p.motion.data(),
+            p.shape.data(),
+            p.hourglass.data(),
+            p.damage.data(),
+            p.near_face.data(),
+            p.gradient.data(),
+            p.pair_stress.data(),
+            p.effective.data(),
+            p.acceleration.data(),
+            p.viscous.data(),
+            p.driver.data(),
+            p.crushed.data(),
+            p.strongest.data(),
+            p.fit.data(),
+            p.mass.data(),
+            b.own_x.data(),
+            b.own_y.data(),
+            b.back_x.data(),
+            b.back_y.data(),
+            b.damping.data(),
+            p.own_sum.data(),
+            p.deficit.data(),
+            p.fit_stress.data(),
+            modulus,
+            lattice};
   }
 
 

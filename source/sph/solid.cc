@@ -26,6 +26,13 @@ namespace Morsel::SPH
   {
     constexpr unsigned int grain  = 64;
     const BondedArrays     arrays = bonded_arrays(particles, bonds);
+    if (!bonds.lattice.empty())
+      parallel_for(
+          particles.n_groups(),
+          [&](unsigned int begin, unsigned int end) {
+            column_loop(arrays, constants, begin, end);
+          },
+          grain);
     parallel_for(
         particles.n_groups(),
         [&](unsigned int begin, unsigned int end) {

@@ -117,6 +117,8 @@ namespace Morsel::SPH
     else
       bonds.build(particles, kernel, visibility);
     normalise(body);
+    if (normalisation == Normalisation::gradient_matrix)
+      bonds.lattice.find(particles, bonds, host.n_boundary());
   }
 
 
@@ -238,6 +240,7 @@ namespace Morsel::SPH
                                         ? 1
                                         : 2;
     const bool         conforming = normalisation == Normalisation::conforming;
+    column_loop                   = kernels.columns[viscosity];
     strain_loop = conforming ? kernels.strain_conforming[linear_law][softened]
                   : particles.fit.empty() ? kernels.strain[linear_law][softened]
                                           : kernels.strain_own_fit[linear_law];

@@ -311,3 +311,61 @@ BOOST_AUTO_TEST_CASE(conforming_forces_of_a_constant_stress)
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+
+BOOST_AUTO_TEST_CASE(lattice_groups_work_as_lists_do)
+{
+  for (const double ratio : {1.3, 1.6, 2.})
+    for (const bool viscosity : {false, true})
+      {
+        const KernelKind kind =
+            ratio == 1.3 ? KernelKind::cubic_b_spline : KernelKind::wendland_c2;
+        PatchBody by_list(61, 23, false, 0., kind, ratio);
+        by_list.set_random(0.05);
+        for (unsigned int i = 0; i < by_list.p.n_owned; ++i)
+          {
+            Motion &m = by_list.p.motion[i];
+            m.u_x += 30.; // they may have gone far
+            m.v_x               = 7. * m.u_y / PatchBody::spacing;
+            m.v_y               = m.v_x * m.v_x - 1.;
+            by_list.p.damage[i] = i % 7 == 0 ? 0.3 : 0.;
+            by_list.p.hourglass[i] *= 1. - by_list.p.damage[i];
+          }
+        PatchBody by_pattern  = by_list;
+        by_list.bonds.lattice = {};
+        BOOST_TEST(by_pattern.bonds.lattice.size() > 70u);
+
+        // A bond is cut in one group: it and no other leaves.
+        const auto compare = [&] {
+          by_list.accelerate(viscosity);
+          by_pattern.accelerate(viscosity);
+          double largest = 0.;
+          for (const Vector2 &a : by_list.p.acceleration)
+            largest = std::max({largest, std::abs(a.x), std::abs(a.y)});
+          double difference = 0.;
+          for (unsigned int i = 0; i < by_list.p.n_owned; ++i)
+            {
+              const Vector2 a = by_list.p.acceleration[i];
+              const Vector2 b = by_pattern.p.acceleration[i];
+              difference      = std::max(
+                  {difference, std::abs(a.x - b.x), std::abs(a.y - b.y)});
+            }
+          // Displacements of 30 m are rounded to 4e-15 m.
+          BOOST_TEST(difference < 1e-9 * largest);
+        };
+        compare();
+
+        const unsigned int before = by_pattern.bonds.lattice.size();
+        for (PatchBody *body : {&by_list, &by_pattern})
+          {
+            body->bonds.make_breakable(body->kernel);
+            const unsigned int i = 11 * 61 + 27;
+            body->bonds.cut(body->bonds.find(i, i + 1));
+            body->renew();
+          }
+        const unsigned int left = before - by_pattern.bonds.lattice.size();
+        BOOST_TEST(left >= 1u);
+        BOOST_TEST(left <= 2u);
+        compare();
+      }
+}

@@ -87,7 +87,10 @@ namespace Morsel::SPH
           p.own_sum.resize(n);
         }
       else
-        bonds.build(p, kernel);
+        {
+          bonds.build(p, kernel);
+          bonds.lattice.find(p, bonds, 0);
+        }
       renew();
     }
 
@@ -164,10 +167,13 @@ namespace Morsel::SPH
     }
 
     void
-    strain()
+    strain(const bool viscosity = false)
     {
       constexpr unsigned int soften_deviator = 1;
       const PairKernels     &kernels         = pair_kernels();
+      if (!bonds.lattice.empty())
+        kernels.columns[viscosity](
+            bonded_arrays(p, bonds), constants(), 0, p.n_groups());
       (is_conforming() ? kernels.strain_conforming
                        : kernels.strain)[linear_law][soften_deviator](
           bonded_arrays(p, bonds), constants(), 0, p.n_groups());
@@ -177,7 +183,7 @@ namespace Morsel::SPH
     void
     accelerate(const bool viscosity = false)
     {
-      strain();
+      strain(viscosity);
       p.viscous.assign(p.n_local, {0., 0.});
       const PairKernels &kernels = pair_kernels();
       (is_conforming() ? kernels.force_conforming

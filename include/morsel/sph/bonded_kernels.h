@@ -136,6 +136,34 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     };
 
 
+    /// Whether group @p g goes by the lattice's pattern.
+    MORSEL_INLINE bool
+    is_regular(const BondedArrays &a, const unsigned int g)
+    {
+      return a.lattice.use && (a.lattice.use[g] & lattice_regular);
+    }
+
+
+    /// sum_j a_ij u_ij (x) X_ij of regular particles: of a pair X and -X
+    /// their own displacement drops out.
+    MORSEL_INLINE Matrix
+    lattice_moment(const LatticeArrays &lattice,
+                   const unsigned int   g,
+                   const unsigned int   offset)
+    {
+      const double *const u_x   = lattice.column[column_u_x] + offset;
+      const double *const u_y   = lattice.column[column_u_y] + offset;
+      const unsigned int *first = lattice.first + 2 * g * lattice.n_twos;
+      Matrix              moment;
+      for (unsigned int t = 0; t < lattice.n_twos; ++t, first += 2)
+        moment.add(load(u_x + first[0]) - load(u_x + first[1]),
+                   load(u_y + first[0]) - load(u_y + first[1]),
+                   all(lattice.weight_x[t]),
+                   all(lattice.weight_y[t]));
+      return moment;
+    }
+
+
     /// The displacement gradient H; with the conforming gradient
     /// H = sum u_ij (x) G_ij + H_fit R with R = I - sum X_ij (x) G_ij, the
     /// least change that keeps linear fields exact once bonds are cut.
@@ -227,17 +255,35 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
               T = product(product(P, R), correction.fit);
             }
         }
-      scatter_records(
-          row.to(kind == Gradient::conforming ? a.fit_stress : a.pair_stress),
-          row.n,
-          T.xx - hg * fit.xx,
-          T.xy - hg * fit.xy,
-          T.yx - hg * fit.yx,
-          T.yy - hg * fit.yy);
+      const Matrix S = {T.xx - hg * fit.xx,
+                        T.xy - hg * fit.xy,
+                        T.yx - hg * fit.yx,
+                        T.yy - hg * fit.yy};
+      if constexpr (kind == Gradient::conforming)
+        scatter_records(row.to(a.fit_stress), row.n, S.xx, S.xy, S.yx, S.yy);
+      else
+        {
+          const LatticeArrays &lattice = a.lattice;
+          const char use = lattice.use ? lattice.use[row.first / group_size]
+                                       : char(lattice_needs_records);
+          if (use & lattice_needs_columns)
+            {
+              store(lattice.column[column_xx] + row.first, S.xx);
+              store(lattice.column[column_xy] + row.first, S.xy);
+              store(lattice.column[column_yx] + row.first, S.yx);
+              store(lattice.column[column_yy] + row.first, S.yy);
+            }
+          if (use & lattice_needs_records)
+            scatter_records(
+                row.to(a.pair_stress), row.n, S.xx, S.xy, S.yx, S.yy);
+        }
     }
 
 
-    template <bool linear_law, Softened softened, Gradient kind>
+    template <bool     linear_law,
+              Softened softened,
+              Gradient kind,
+              bool     regular = false>
     MORSEL_INLINE void
     strain_row(const BondedArrays    &a,
                const BondedConstants &c,
@@ -247,13 +293,23 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
       const Row row(a, g * group_size + offset);
 
       Corrections correction;
-      if constexpr (kind != Gradient::conforming)
-        correction.shape = symmetric_of(row, a.shape);
-      if constexpr (kind != Gradient::fit)
-        correction.fit = symmetric_of(row, a.fit);
-      Matrix H, fit;
-      displacement_gradient<softened, kind>(
-          a, row, g, offset, correction, H, fit);
+      Matrix      H, fit;
+      if constexpr (regular)
+        {
+          const Symmetric2 &B = a.lattice.shape;
+          correction.shape    = {all(B.xx), all(B.xy), all(B.xy), all(B.yy)};
+          H   = product(lattice_moment(a.lattice, g, offset), correction.shape);
+          fit = H;
+        }
+      else
+        {
+          if constexpr (kind != Gradient::conforming)
+            correction.shape = symmetric_of(row, a.shape);
+          if constexpr (kind != Gradient::fit)
+            correction.fit = symmetric_of(row, a.fit);
+          displacement_gradient<softened, kind>(
+              a, row, g, offset, correction, H, fit);
+        }
       const V H_xx = H.xx, H_xy = H.xy, H_yx = H.yx, H_yy = H.yy;
       const V F_xx = 1. + H_xx, F_yy = 1. + H_yy;
 
@@ -353,9 +409,45 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
               if (a.slot_begin[g] == a.slot_end[g])
                 continue;
             }
+          if constexpr (kind == Gradient::fit)
+            if (is_regular(a, g))
+              {
+                for (unsigned int offset = 0; offset < group_size;
+                     offset += lanes)
+                  strain_row<linear_law, softened, kind, true>(a, c, g, offset);
+                continue;
+              }
           for (unsigned int offset = 0; offset < group_size; offset += lanes)
             strain_row<linear_law, softened, kind>(a, c, g, offset);
         }
+    }
+
+
+    /// Displacements, and velocities for viscosity, into the lattice's columns.
+    template <bool velocities>
+    void
+    fill_columns(const BondedArrays &a,
+                 const BondedConstants &,
+                 const unsigned int begin,
+                 const unsigned int end)
+    {
+      for (unsigned int g = begin; g < end; ++g)
+        if (a.lattice.use[g] & lattice_needs_columns)
+          for (unsigned int offset = 0; offset < group_size; offset += lanes)
+            {
+              const Row row(a, g * group_size + offset);
+              V         u_x, u_y, v_x, v_y;
+              if constexpr (velocities)
+                {
+                  gather_records(row.of(a.motion), u_x, u_y, v_x, v_y);
+                  store(a.lattice.column[column_v_x] + row.first, v_x);
+                  store(a.lattice.column[column_v_y] + row.first, v_y);
+                }
+              else
+                gather_pairs(row.of(a.motion), u_x, u_y);
+              store(a.lattice.column[column_u_x] + row.first, u_x);
+              store(a.lattice.column[column_u_y] + row.first, u_y);
+            }
     }
   } // namespace
 } // namespace Morsel::SPH::MORSEL_INSTRUCTION_SET

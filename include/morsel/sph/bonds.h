@@ -4,6 +4,7 @@
 #include <morsel/core/kernel.h>
 #include <morsel/core/state_archive_fwd.h>
 #include <morsel/sph/cloud.h>
+#include <morsel/sph/lattice_groups.h>
 #include <morsel/sph/neighbours.h>
 #include <morsel/sph/particles.h>
 #include <morsel/sph/visibility.h>
@@ -62,6 +63,7 @@ namespace Morsel::SPH
     std::vector<char>         live;   ///< not cut
     std::vector<unsigned int> mirror; ///< entry (j, i) of entry (i, j)
     PackedBonds               packed;
+    LatticeGroups             lattice; ///< empty until lattice.find()
 
     // Only with the conforming gradient.
     std::vector<Vector2> own;  ///< G_ij [1/m]

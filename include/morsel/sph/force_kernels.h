@@ -23,6 +23,53 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     }
 
 
+    /// What viscosity adds to the acceleration of a particle, by T3-44 (sign
+    /// corrected) along the present direction r to its neighbour, with the
+    /// reference gradient's weight: -q r, where
+    /// q = a mu (beta mu - alpha c), mu = h min(0, v.r)/(r^2 + 0.01 h^2).
+    MORSEL_INLINE void
+    add_viscosity(const BondedConstants &c,
+                  const V                weight,
+                  const V                r_x,
+                  const V                r_y,
+                  const V                v_x,
+                  const V                v_y,
+                  V                     &g_x,
+                  V                     &g_y)
+    {
+      const double h  = c.smoothing_length;
+      const V      vr = smaller(v_x * r_x + v_y * r_y, V{}); // approaching
+      const V      mu = h * vr / (r_x * r_x + r_y * r_y + 0.01 * h * h);
+      const V q = weight * mu * (c.viscosity_beta * mu - c.viscosity_alpha_c);
+      g_x -= q * r_x;
+      g_y -= q * r_y;
+    }
+
+
+    /// Writes what a row of particles is accelerated by.
+    /// @param f force per volume [N/m^3]; @param g by viscosity [m/s^2]
+    template <bool viscosity>
+    MORSEL_INLINE void
+    store_acceleration(const BondedArrays      &a,
+                       const BondedConstants   &c,
+                       const Row               &row,
+                       const V                  f_x,
+                       const V                  f_y,
+                       [[maybe_unused]] const V g_x,
+                       [[maybe_unused]] const V g_y)
+    {
+      const double inverse_density = 1. / c.density;
+      V            a_x = inverse_density * f_x, a_y = inverse_density * f_y;
+      if constexpr (viscosity)
+        {
+          a_x += g_x;
+          a_y += g_y;
+          scatter_pairs(row.to(a.viscous), row.n, g_x, g_y);
+        }
+      scatter_pairs(row.to(a.acceleration), row.n, a_x, a_y);
+    }
+
+
     /// dv_i/dt = 1/rho_0 sum_j a_ij [(T_i + T_j) X_ij + k_ij u_ij], with
     /// T = P B - k_hg H / 2 and k_ij = (k_hg,i + k_hg,j) / 2: stress and
     /// the residual of the linear fit in one sweep. Every term changes but
@@ -52,8 +99,6 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
                return &a.hourglass[row.particle(l)];
              });
 
-      const double       h     = c.smoothing_length;
-      [[maybe_unused]] V alpha = all(c.viscosity_alpha_c);
       V                  f_x{}, f_y{};
       [[maybe_unused]] V g_x{}, g_y{};
       const unsigned int near_end = conforming ? a.near_end[g] : a.slot_end[g];
@@ -83,16 +128,15 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
 
           if constexpr (viscosity)
             {
-              // Pi_ij of T3-44 (sign corrected) along the current pair
-              // direction, with the reference gradient's weight.
               const V r_x = X + du_x, r_y = Y + du_y;
-              const V vr = smaller((dv_x - v_x) * r_x + (dv_y - v_y) * r_y,
-                                   V{}); // approaching
-              const V mu = h * vr / (r_x * r_x + r_y * r_y + 0.01 * h * h);
-              const V q  = (conforming ? load(a.damping + k) : w) * mu *
-                          (c.viscosity_beta * mu - alpha);
-              g_x -= q * r_x;
-              g_y -= q * r_y;
+              add_viscosity(c,
+                            conforming ? load(a.damping + k) : w,
+                            r_x,
+                            r_y,
+                            dv_x - v_x,
+                            dv_y - v_y,
+                            g_x,
+                            g_y);
             }
         }
 
@@ -107,15 +151,100 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           f_x += P.xx * G_x + P.xy * G_y;
           f_y += P.yx * G_x + P.yy * G_y;
         }
-      const double inverse_density = 1. / c.density;
-      V            a_x = inverse_density * f_x, a_y = inverse_density * f_y;
+      store_acceleration<viscosity>(a, c, row, f_x, f_y, g_x, g_y);
+    }
+
+
+    /// The same as force_row() for regular particles: what pairs X and -X take
+    /// of a particle's own stress cancels.
+    template <bool viscosity, bool varying>
+    MORSEL_INLINE void
+    lattice_force_row(const BondedArrays    &a,
+                      const BondedConstants &c,
+                      const unsigned int     g,
+                      const unsigned int     offset)
+    {
+      const LatticeArrays &lattice = a.lattice;
+      const Row            row(a, g * group_size + offset);
+      const auto column = [&](const LatticeColumn k, const unsigned int i) {
+        return load(lattice.column[k] + i);
+      };
+      const V            u_x = column(column_u_x, row.first);
+      const V            u_y = column(column_u_y, row.first);
+      [[maybe_unused]] V v_x, v_y;
       if constexpr (viscosity)
         {
-          a_x += g_x;
-          a_y += g_y;
-          scatter_pairs(row.to(a.viscous), row.n, g_x, g_y);
+          v_x = column(column_v_x, row.first);
+          v_y = column(column_v_y, row.first);
         }
-      scatter_pairs(row.to(a.acceleration), row.n, a_x, a_y);
+      [[maybe_unused]] V hg;
+      if constexpr (varying)
+        hg = 0.5 * load(a.hourglass + row.first);
+
+      V                   f_x{}, f_y{}, e_x{}, e_y{};
+      [[maybe_unused]] V  g_x{}, g_y{};
+      const unsigned int *first = lattice.first + 2 * g * lattice.n_twos;
+      for (unsigned int t = 0; t < lattice.n_twos; ++t, first += 2)
+        {
+          const unsigned int i = first[0] + offset, j = first[1] + offset;
+          const V            S_xx = column(column_xx, i) - column(column_xx, j);
+          const V            S_xy = column(column_xy, i) - column(column_xy, j);
+          const V            S_yx = column(column_yx, i) - column(column_yx, j);
+          const V            S_yy = column(column_yy, i) - column(column_yy, j);
+          const V            w_x  = all(lattice.weight_x[t]),
+                  w_y             = all(lattice.weight_y[t]);
+          f_x += w_x * S_xx + w_y * S_xy;
+          f_y += w_x * S_yx + w_y * S_yy;
+
+          const V w    = all(lattice.weight[t]);
+          const V di_x = column(column_u_x, i) - u_x;
+          const V di_y = column(column_u_y, i) - u_y;
+          const V dj_x = column(column_u_x, j) - u_x;
+          const V dj_y = column(column_u_y, j) - u_y;
+          if constexpr (varying)
+            {
+              const V k_i = hg + 0.5 * load(a.hourglass + i);
+              const V k_j = hg + 0.5 * load(a.hourglass + j);
+              e_x += w * (k_i * di_x + k_j * dj_x);
+              e_y += w * (k_i * di_y + k_j * dj_y);
+            }
+          else
+            {
+              e_x += w * (di_x + dj_x);
+              e_y += w * (di_y + dj_y);
+            }
+          if constexpr (viscosity)
+            {
+              const V X = all(lattice.x[t]), Y = all(lattice.y[t]);
+              add_viscosity(c,
+                            w,
+                            di_x + X,
+                            di_y + Y,
+                            column(column_v_x, i) - v_x,
+                            column(column_v_y, i) - v_y,
+                            g_x,
+                            g_y);
+              add_viscosity(c,
+                            w,
+                            dj_x - X,
+                            dj_y - Y,
+                            column(column_v_x, j) - v_x,
+                            column(column_v_y, j) - v_y,
+                            g_x,
+                            g_y);
+            }
+        }
+      if constexpr (varying)
+        {
+          f_x += e_x;
+          f_y += e_y;
+        }
+      else
+        {
+          f_x += c.uniform_hourglass * e_x;
+          f_y += c.uniform_hourglass * e_y;
+        }
+      store_acceleration<viscosity>(a, c, row, f_x, f_y, g_x, g_y);
     }
 
 
@@ -139,8 +268,18 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
               }
           }
         else
-          for (unsigned int offset = 0; offset < group_size; offset += lanes)
-            force_row<viscosity, varying, kind>(a, c, g, offset);
+          {
+            if constexpr (kind == Gradient::fit)
+              if (is_regular(a, g))
+                {
+                  for (unsigned int offset = 0; offset < group_size;
+                       offset += lanes)
+                    lattice_force_row<viscosity, varying>(a, c, g, offset);
+                  continue;
+                }
+            for (unsigned int offset = 0; offset < group_size; offset += lanes)
+              force_row<viscosity, varying, kind>(a, c, g, offset);
+          }
     }
   } // namespace
 } // namespace Morsel::SPH::MORSEL_INSTRUCTION_SET

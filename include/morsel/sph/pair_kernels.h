@@ -19,6 +19,47 @@ namespace Morsel::SPH
   constexpr unsigned int group_size = 8;
 
 
+  /// What lattice groups read of their neighbours in columns: displacement [m],
+  /// velocity [m/s] and PairStress [Pa].
+  enum LatticeColumn : unsigned int
+  {
+    column_u_x,
+    column_u_y,
+    column_v_x,
+    column_v_y,
+    column_xx,
+    column_xy,
+    column_yx,
+    column_yy,
+    n_lattice_columns
+  };
+
+
+  /// How a group of particles is worked on, and in what form its neighbours
+  /// read what it writes; see LatticeGroups.
+  enum LatticeUse : char
+  {
+    lattice_regular       = 1,
+    lattice_needs_records = 2,
+    lattice_needs_columns = 4
+  };
+
+
+  /// Addresses of LatticeGroups. Pairs come in twos, X and -X.
+  struct LatticeArrays
+  {
+    unsigned int n_twos;
+    const char  *use; ///< of each group, or null where none is regular
+    /// Of each group, two for each two: the neighbours at X and at -X of its
+    /// first particle; those of the next ones follow.
+    const unsigned int *first;
+    const double       *x, *y;                        ///< X [m]
+    const double       *weight, *weight_x, *weight_y; ///< a, a X
+    Symmetric2          shape;
+    double             *column[n_lattice_columns];
+  };
+
+
   /// Plain addresses of what the kernels of bonded particles read and write;
   /// see Particles and PackedBonds. No class with code of its own passes into
   /// a kernel: an inline function compiled for one machine must not be the
@@ -55,6 +96,8 @@ namespace Morsel::SPH
     PairStress               *fit_stress;
 
     const double *modulus; ///< over the body's [1]; null where it is uniform
+
+    LatticeArrays lattice;
   };
 
 
@@ -169,6 +212,9 @@ namespace Morsel::SPH
 
     const char  *name;
     unsigned int lanes;
+    /// [viscosity]: brings what the other kernels need of the motion of lattice
+    /// groups into columns; before those, where any group is regular.
+    Strain columns[2];
     /// [linear law][no damage, softened deviator, softened principal].
     Strain strain[2][3];
     /// [linear law]: undamaged, with a gradient that is not the

@@ -18,6 +18,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     static constexpr PairKernels table = {
         MORSEL_TEXT(MORSEL_INSTRUCTION_SET),
         lanes,
+        {fill_columns<false>, fill_columns<true>},
         {{strain_loop<false, intact>,
           strain_loop<false, softened_deviator>,
           strain_loop<false, softened_principal>},

@@ -10,7 +10,7 @@ namespace Morsel::SPH
   /// What the kernels of pair_kernels.h work on; valid until a field of
   /// @p particles or @p bonds is allocated anew.
   BondedArrays
-  bonded_arrays(Particles &particles, const Bonds &bonds);
+  bonded_arrays(Particles &particles, Bonds &bonds);
 
 
   /// What particle @p i of a conforming form has of its uncut bonds: the

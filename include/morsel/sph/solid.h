@@ -217,6 +217,7 @@ namespace Morsel::SPH
     double          highest_frequency = 0.; ///< its square [1/s^2]
 
     BondedConstants     constants;
+    PairKernels::Strain column_loop; ///< of bonds.lattice
     PairKernels::Strain strain_loop;
     PairKernels::Force  force_loop;
 

@@ -1,0 +1,99 @@
+#ifndef morsel_sph_lattice_groups_h
+#define morsel_sph_lattice_groups_h
+
+#include <morsel/sph/neighbours.h>
+#include <morsel/sph/pair_kernels.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <array>
+#include <vector>
+
+namespace Morsel::SPH
+{
+  struct Bonds;
+  struct Particles;
+
+  /// The groups of particles deep inside of a regular lattice: all of them have
+  /// the same pairs, no pair is cut, and what stands beside one another in a
+  /// group has neighbours that do so, too. Their loops need no list of pairs:
+  /// one pattern serves all, and the fields of neighbours are read from columns
+  /// (one number after the other) as whole vectors.
+  class LatticeGroups
+  {
+  public:
+    /// Finds the groups in @p bonds, none of which is cut yet; nothing is
+    /// allocated where there are none.
+    /// @param first_without_ghosts particles before it are sent to other ranks
+    void
+    find(const Particles &particles,
+         const Bonds     &bonds,
+         unsigned int     first_without_ghosts);
+
+    bool
+    empty() const
+    {
+      return n_regular == 0;
+    }
+
+    /// How many groups are worked on by the pattern.
+    unsigned int
+    size() const
+    {
+      return n_regular;
+    }
+
+    /// From now on particle @p i's group goes by the list of its pairs.
+    void
+    leave(unsigned int i, const NeighbourList &list);
+
+    /// Fills the addresses of @p arrays.
+    void
+    describe(LatticeArrays &arrays);
+
+  private:
+    /// Bits of a group's use.
+    enum Use : char
+    {
+      regular       = lattice_regular,
+      needs_records = lattice_needs_records,
+      needs_columns = lattice_needs_columns
+    };
+
+    /// Whether the pairs of group @p g are those of the pattern; makes the
+    /// pattern where there is none yet.
+    bool
+    fits(const Particles &particles, const Bonds &bonds, unsigned int g);
+
+    /// Takes the entries of a row for the pattern if each has an opposite one.
+    bool
+    make_pattern(const Particles                 &particles,
+                 const Bonds                     &bonds,
+                 const std::vector<unsigned int> &row);
+
+    /// Whether @p entry is the pattern's pair @p k, as rows are sorted.
+    bool
+    is_pair(const Particles &particles,
+            const Bonds     &bonds,
+            unsigned int     entry,
+            unsigned int     k) const;
+
+    /// Tells the groups of @p g's neighbours in what form it reads them.
+    void
+    mark_neighbours(const NeighbourList &list, unsigned int g, Use form);
+
+    unsigned int              n_regular = 0;
+    std::vector<char>         use;   ///< of each group
+    std::vector<unsigned int> first; ///< neighbours of each group's first
+
+    // Half of the pairs: X and -X take the same weight.
+    std::vector<double> x, y; ///< [m]
+    std::vector<double> weight, weight_x, weight_y;
+    double              heaviest = 0.; ///< weight [1/m^2]
+    Symmetric2          shape;         ///< B [1]
+
+    std::array<dealii::AlignedVector<double>, n_lattice_columns> columns;
+  };
+} // namespace Morsel::SPH
+
+#endif

@@ -1,0 +1,214 @@
+#include <morsel/sph/bonds.h>
+#include <morsel/sph/lattice_groups.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Morsel::SPH
+{
+  namespace
+  {
+    /// By so little the pairs of a lattice may differ, relative to the spacing
+    /// and to the largest weight: coordinates are rounded.
+    constexpr double tolerance = 1e-9;
+
+
+    /// Entries of row @p i without those at the very edge of the support,
+    /// whose weight is nothing and which rounding may leave out.
+    void
+    find_entries(const Bonds               &bonds,
+                 const unsigned int         i,
+                 std::vector<unsigned int> &entries)
+    {
+      entries.clear();
+      const unsigned int begin   = bonds.list.start[i];
+      const unsigned int end     = bonds.list.start[i + 1];
+      double             largest = 0.;
+      for (unsigned int k = begin; k < end; ++k)
+        largest = std::max(largest, bonds.weight[k]);
+      for (unsigned int k = begin; k < end; ++k)
+        if (bonds.weight[k] > tolerance * largest)
+          entries.push_back(k);
+    }
+  } // namespace
+
+
+  void
+  LatticeGroups::find(const Particles   &particles,
+                      const Bonds       &bonds,
+                      const unsigned int first_without_ghosts)
+  {
+    const unsigned int n_groups = particles.n_groups();
+    use.assign(n_groups, 0);
+    for (unsigned int g = 0; g < n_groups; ++g)
+      if (fits(particles, bonds, g))
+        {
+          use[g] = regular;
+          ++n_regular;
+        }
+    if (empty())
+      {
+        use = {};
+        return;
+      }
+
+    const unsigned int n_twos = x.size();
+    first.assign(2 * n_twos * n_groups, 0);
+    std::vector<unsigned int> entries;
+    for (unsigned int g = 0; g < n_groups; ++g)
+      {
+        if (use[g] & regular)
+          {
+            find_entries(bonds, g * group_size, entries);
+            for (unsigned int t = 0; t < n_twos; ++t)
+              {
+                unsigned int *const two = &first[2 * (g * n_twos + t)];
+                two[0] = bonds.list.index[entries[2 * n_twos - 1 - t]];
+                two[1] = bonds.list.index[entries[t]];
+              }
+          }
+        mark_neighbours(
+            bonds.list, g, use[g] & regular ? needs_columns : needs_records);
+      }
+    for (unsigned int g = 0; g * group_size < first_without_ghosts; ++g)
+      use[g] |= needs_records;
+    for (auto &column : columns)
+      column.resize(n_groups * group_size, 0.);
+  }
+
+
+  bool
+  LatticeGroups::fits(const Particles   &particles,
+                      const Bonds       &bonds,
+                      const unsigned int g)
+  {
+    const unsigned int begin = g * group_size;
+    if (begin + group_size > particles.n_owned)
+      return false;
+    std::vector<unsigned int> of_first, entries;
+    find_entries(bonds, begin, of_first);
+    if (x.empty() && !make_pattern(particles, bonds, of_first))
+      return false;
+
+    const unsigned int n_twos = x.size();
+    for (unsigned int i = begin; i < begin + group_size; ++i)
+      {
+        find_entries(bonds, i, entries);
+        if (entries.size() != 2 * n_twos)
+          return false;
+        for (unsigned int k = 0; k < 2 * n_twos; ++k)
+          {
+            const unsigned int j = bonds.list.index[entries[k]];
+            if (j != bonds.list.index[of_first[k]] + (i - begin) ||
+                j >= particles.n_owned ||
+                !is_pair(particles, bonds, entries[k], k))
+              return false;
+          }
+      }
+    return true;
+  }
+
+
+  bool
+  LatticeGroups::is_pair(const Particles   &particles,
+                         const Bonds       &bonds,
+                         const unsigned int entry,
+                         const unsigned int k) const
+  {
+    const unsigned int n_twos = x.size();
+    const bool         back   = k < n_twos;
+    const unsigned int t      = back ? k : 2 * n_twos - 1 - k;
+    const double       sign = back ? -1. : 1., spacing = particles.spacing;
+    return std::abs(bonds.dx[entry] - sign * x[t]) < tolerance * spacing &&
+           std::abs(bonds.dy[entry] - sign * y[t]) < tolerance * spacing &&
+           std::abs(bonds.weight[entry] - weight[t]) < tolerance * heaviest;
+  }
+
+
+  bool
+  LatticeGroups::make_pattern(const Particles                 &particles,
+                              const Bonds                     &bonds,
+                              const std::vector<unsigned int> &row)
+  {
+    const unsigned int n = row.size();
+    if (n == 0 || n % 2 != 0)
+      return false;
+    for (unsigned int k = 0; k < n / 2; ++k)
+      {
+        const unsigned int back = row[k], ahead = row[n - 1 - k];
+        x.push_back(0.5 * (bonds.dx[ahead] - bonds.dx[back]));
+        y.push_back(0.5 * (bonds.dy[ahead] - bonds.dy[back]));
+        weight.push_back(0.5 * (bonds.weight[back] + bonds.weight[ahead]));
+      }
+    heaviest = *std::max_element(weight.begin(), weight.end());
+    for (unsigned int k = 0; k < n; ++k)
+      if (!is_pair(particles, bonds, row[k], k))
+        {
+          x.clear();
+          y.clear();
+          weight.clear();
+          return false;
+        }
+    for (unsigned int t = 0; t < n / 2; ++t)
+      {
+        weight_x.push_back(weight[t] * x[t]);
+        weight_y.push_back(weight[t] * y[t]);
+      }
+    Symmetric2 moment{0., 0., 0.};
+    for (unsigned int t = 0; t < n / 2; ++t)
+      {
+        moment.xx += 2. * weight_x[t] * x[t];
+        moment.yy += 2. * weight_y[t] * y[t];
+        moment.xy += 2. * weight_x[t] * y[t];
+      }
+    shape = inverse(moment);
+    return true;
+  }
+
+
+  void
+  LatticeGroups::mark_neighbours(const NeighbourList &list,
+                                 const unsigned int   g,
+                                 const Use            form)
+  {
+    use[g] |= form;
+    for (unsigned int i = g * group_size;
+         i < std::min(list.n_rows(), (g + 1) * group_size);
+         ++i)
+      for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
+        if (list.index[k] < list.n_rows())
+          use[list.index[k] / group_size] |= form;
+  }
+
+
+  void
+  LatticeGroups::leave(const unsigned int i, const NeighbourList &list)
+  {
+    const unsigned int g = i / group_size;
+    if (use.empty() || !(use[g] & regular))
+      return;
+    use[g] &= ~regular;
+    --n_regular;
+    mark_neighbours(list, g, needs_records);
+  }
+
+
+  void
+  LatticeGroups::describe(LatticeArrays &arrays)
+  {
+    arrays = {};
+    if (empty())
+      return;
+    arrays.n_twos   = x.size();
+    arrays.use      = use.data();
+    arrays.first    = first.data();
+    arrays.x        = x.data();
+    arrays.y        = y.data();
+    arrays.weight   = weight.data();
+    arrays.weight_x = weight_x.data();
+    arrays.weight_y = weight_y.data();
+    arrays.shape    = shape;
+    for (unsigned int k = 0; k < n_lattice_columns; ++k)
+      arrays.column[k] = columns[k].data();
+  }
+} // namespace Morsel::SPH
