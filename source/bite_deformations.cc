@@ -99,7 +99,8 @@ namespace Morsel
                                  particles.motion,
                                  particles.n_owned,
                                  clock.time_step(),
-                                 plates[pair.plate].surface);
+                                 plates[pair.plate].surface,
+                                 particles.travelled);
   }
 
 

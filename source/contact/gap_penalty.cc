@@ -104,6 +104,13 @@ namespace Morsel::Contact
   }
 
 
+  double
+  AveragedGap::influence() const
+  {
+    return range + largest(edges.width, side.spacing);
+  }
+
+
   void
   AveragedGap::begin(const Surface &surface)
   {

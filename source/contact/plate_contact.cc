@@ -133,14 +133,21 @@ namespace Morsel::Contact
                         const std::vector<Motion>           &motion,
                         const unsigned int                   n_owned,
                         const double                         time_step,
-                        Surface                             &surface)
+                        Surface                             &surface,
+                        const double                         travelled)
   {
-    position.resize(n_owned);
-    for (unsigned int i = 0; i < n_owned; ++i)
-      position[i] = {reference[i][0] + motion[i].u_x,
-                     reference[i][1] + motion[i].u_y};
-    if (search_is_due(position, surface))
-      search(position, surface);
+    const auto place = [&](const unsigned int i) -> dealii::Point<2> {
+      return {reference[i][0] + motion[i].u_x, reference[i][1] + motion[i].u_y};
+    };
+    if (search_is_due(place, n_owned, surface, travelled))
+      {
+        search(place, n_owned, surface);
+        watch.begin(travelled);
+      }
+    particles_moved = watch.bound(travelled);
+    position.resize(candidates.size());
+    for (unsigned int c = 0; c < candidates.size(); ++c)
+      position[c] = place(candidates[c].particle);
     heat_before = heat;
     if (parameters.sticks_elastically())
       {
@@ -156,8 +163,9 @@ namespace Morsel::Contact
                               const double               time_step,
                               Surface                   &surface)
   {
-    heat    = heat_before;
-    stretch = stretch_before;
+    heat        = heat_before;
+    stretch     = stretch_before;
+    nodes_moved = farthest_node(surface);
     return press_all(motion, time_step, surface);
   }
 
@@ -170,14 +178,20 @@ namespace Morsel::Contact
     energy = penetration = 0.;
     forces.clear();
     begin(surface);
-    for (const auto &c : candidates)
+    const double near = influence() + particles_moved + nodes_moved;
+    for (unsigned int k = 0; k < candidates.size(); ++k)
       {
-        const Motion &m = motion[c.particle];
-        const auto    f = press(position[c.particle],
-                             dealii::Tensor<1, 2>({m.v_x, m.v_y}),
-                             c,
-                             time_step,
-                             surface);
+        const Candidate     &c = candidates[k];
+        dealii::Tensor<1, 2> f;
+        if (!(c.clearance > near))
+          {
+            const Motion &m = motion[c.particle];
+            f               = press(position[k],
+                      dealii::Tensor<1, 2>({m.v_x, m.v_y}),
+                      c,
+                      time_step,
+                      surface);
+          }
         if (f[0] != 0. || f[1] != 0.)
           forces.push_back({c.particle, f});
         else if (!stretch.empty())
@@ -193,6 +207,8 @@ namespace Morsel::Contact
     state.cache(candidates, facets_near, searched_at, searched_nodes);
     state.particles(stretch, stretch_before);
     state.sum(energy, heat, heat_before);
+    if (state.loads())
+      watch.forget();
   }
 
 
@@ -210,57 +226,83 @@ namespace Morsel::Contact
                                  const Surface &surface) const
   {
     std::vector<unsigned int> list;
-    for (const auto &c : candidates)
-      for (unsigned int f = c.first; f < c.last; ++f)
-        if (std::abs(project(surface, facets_near[f], position[c.particle])
-                         .distance) <= distance)
+    for (unsigned int k = 0; k < candidates.size(); ++k)
+      for (unsigned int f = candidates[k].first; f < candidates[k].last; ++f)
+        if (std::abs(project(surface, facets_near[f], position[k]).distance) <=
+            distance)
           {
-            list.push_back(c.particle);
+            list.push_back(candidates[k].particle);
             break;
           }
     return list;
   }
 
 
-  bool
-  PlateContact::search_is_due(const std::vector<dealii::Point<2>> &x,
-                              const Surface &surface) const
+  double
+  PlateContact::farthest_node(const Surface &surface) const
   {
-    if (searched_at.size() != x.size())
-      return true;
-    const double limit = 0.25 * margin * margin;
+    double square = 0.;
     for (unsigned int k = 0; k < surface.nodes.size(); ++k)
-      if ((surface.nodes[k] - searched_nodes[k]).norm_square() > limit)
-        return true;
-    for (unsigned int i = 0; i < x.size(); ++i)
-      if ((x[i] - searched_at[i]).norm_square() > limit)
-        return true;
-    return false;
+      square = std::max(square,
+                        (surface.nodes[k] - searched_nodes[k]).norm_square());
+    return std::sqrt(square);
   }
 
 
-  void
-  PlateContact::search(const std::vector<dealii::Point<2>> &x,
-                       const Surface                       &surface)
+  template <typename Position>
+  bool
+  PlateContact::search_is_due(const Position    &place,
+                              const unsigned int n_owned,
+                              const Surface     &surface,
+                              const double       travelled)
   {
-    searched_at    = x;
+    if (searched_at.size() != n_owned)
+      return true;
+    const double limit = 0.5 * margin;
+    nodes_moved        = farthest_node(surface);
+    return nodes_moved > limit || watch.beyond(limit, travelled, [&] {
+      double largest = 0.;
+      for (unsigned int i = 0; i < n_owned; ++i)
+        largest = std::max(largest, (place(i) - searched_at[i]).norm_square());
+      return largest;
+    });
+  }
+
+
+  template <typename Position>
+  void
+  PlateContact::search(const Position    &place,
+                       const unsigned int n_owned,
+                       const Surface     &surface)
+  {
     searched_nodes = surface.nodes;
+    nodes_moved    = 0.;
+    searched_at.resize(n_owned);
     candidates.clear();
     facets_near.clear();
 
     const double    reach = range + margin;
     const FacetGrid grid(surface, reach);
-    for (unsigned int i = 0; i < x.size(); ++i)
+    for (unsigned int i = 0; i < n_owned; ++i)
       {
+        searched_at[i]           = place(i);
         const unsigned int first = facets_near.size();
-        const auto [begin, end]  = grid.near(x[i]);
+        const auto [begin, end]  = grid.near(searched_at[i]);
+        double clearance         = reach;
         for (unsigned int c = begin; c < end; ++c)
-          if (const unsigned int f = grid.candidates()[c];
-              std::abs(project(surface, f, x[i]).distance) < reach)
+          {
+            const unsigned int f = grid.candidates()[c];
+            const double       d = project(surface, f, searched_at[i]).distance;
+            if (std::abs(d) >= reach)
+              continue;
             facets_near.push_back(f);
+            clearance = std::min(clearance, d);
+          }
         if (facets_near.size() > first)
-          candidates.push_back(
-              {i, first, static_cast<unsigned int>(facets_near.size())});
+          candidates.push_back({i,
+                                first,
+                                static_cast<unsigned int>(facets_near.size()),
+                                clearance});
       }
   }
 

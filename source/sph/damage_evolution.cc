@@ -281,9 +281,9 @@ namespace Morsel::SPH
   DamageEvolution::soften(const unsigned int                  i,
                           const Materials::PlaneStrainStress &stress)
   {
-    const Materials::ElasticResponse response =
-        response_to(particles.gradient[i], material, linear_law);
-    const double energy =
+    const Ends                        ends     = ends_of(i);
+    const Materials::ElasticResponse &response = ends.response[0];
+    const double                      energy =
         particles.modulus_factor(i) *
         (response.deviatoric_energy +
          (response.jacobian < 1. ? 0. : response.volumetric_energy));
@@ -297,6 +297,6 @@ namespace Morsel::SPH
                                     {particles.damage[i], particles.used[i]},
                                     particles.modulus_factor(i));
     particles.used[i] = now.used;
-    release_damage(i, now.used >= failure_damage ? 1. : now.damage);
+    release_damage(i, ends, now.used >= failure_damage ? 1. : now.damage);
   }
 } // namespace Morsel::SPH

@@ -41,54 +41,65 @@ namespace Morsel::SPH
   void
   DamageEvolution::release_damage(const unsigned int i, const double new_damage)
   {
+    if (new_damage > particles.damage[i])
+      release_damage(i, ends_of(i), new_damage);
+  }
+
+
+  void
+  DamageEvolution::release_damage(const unsigned int i,
+                                  const Ends        &ends,
+                                  const double       new_damage)
+  {
     const double old = particles.damage[i];
     if (new_damage <= old)
       return;
     const double D = new_damage >= failure_damage ? 1. : new_damage;
-    particles.damage_heat[i] += mean_energy(i, old) - mean_energy(i, D);
+    particles.damage_heat[i] +=
+        mean_energy(i, ends, old) - mean_energy(i, ends, D);
     particles.damage[i] = D;
     particles.hourglass[i] =
         hourglass_stiffness * (1. - D) * particles.modulus_factor(i);
   }
 
 
-  double
-  DamageEvolution::energy(const unsigned int        i,
-                          const Materials::Tensor2 &H,
-                          const double              residual,
-                          const double              damage) const
+  DamageEvolution::Ends
+  DamageEvolution::ends_of(const unsigned int i) const
   {
-    return particles.modulus_factor(i) *
-           (particles.volume(i) *
-                Materials::stored_energy(law.softening,
-                                         material,
-                                         response_to(H, material, linear_law),
-                                         damage) +
-            hourglass_stiffness * (1. - damage) * residual);
-  }
-
-
-  double
-  DamageEvolution::mean_energy(const unsigned int i, const double damage) const
-  {
-    return 0.5 * (energy(i,
-                         particles.gradient[i],
-                         fit_residual(particles, bonds, i),
-                         damage) +
-                  energy(i,
-                         gradient_ahead(i),
-                         fit_residual(particles, bonds, i, time_step),
-                         damage));
-  }
-
-
-  Materials::Tensor2
-  DamageEvolution::gradient_ahead(const unsigned int i) const
-  {
+    const auto strain = strain_over_step(particles, bonds, i, time_step);
     const auto doomed = gradient_of_doomed.find(i);
-    return doomed == gradient_of_doomed.end()
-               ? displacement_gradient(particles, bonds, i, time_step)
-               : doomed->second;
+    Ends       ends   = ends_at(strain[0].gradient,
+                        doomed == gradient_of_doomed.end() ? strain[1].gradient
+                                                                   : doomed->second);
+    for (unsigned int e = 0; e < 2; ++e)
+      ends.residual[e] = strain[e].residual;
+    return ends;
+  }
+
+
+  DamageEvolution::Ends
+  DamageEvolution::ends_at(const Materials::Tensor2 &now,
+                           const Materials::Tensor2 &then) const
+  {
+    return {{now, then},
+            {response_to(now, material, linear_law),
+             response_to(then, material, linear_law)},
+            {0., 0.}};
+  }
+
+
+  double
+  DamageEvolution::mean_energy(const unsigned int i,
+                               const Ends        &ends,
+                               const double       damage) const
+  {
+    double sum = 0.;
+    for (unsigned int e = 0; e < 2; ++e)
+      sum += particles.volume(i) *
+                 Materials::stored_energy(
+                     law.softening, material, ends.response[e], damage) +
+             hourglass_stiffness * (1. - damage) * ends.residual[e];
+    return 0.5 * particles.modulus_factor(i) * sum;
   }
 
 
@@ -173,9 +184,10 @@ namespace Morsel::SPH
   {
     if (is_touched[i])
       return;
-    is_touched[i] = 1;
+    is_touched[i]   = 1;
+    const Ends ends = ends_of(i);
     touched.push_back(
-        {i, mean_energy(i, particles.damage[i]), gradient_ahead(i)});
+        {i, mean_energy(i, ends, particles.damage[i]), ends.gradient[1]});
   }
 
 
@@ -194,9 +206,10 @@ namespace Morsel::SPH
               particles.fit_stress[i] = {0., 0., 0., 0.};
             particles.hourglass[i] = 0.;
             // As a grain it goes on from where its bonds had it go.
-            heat_of_bonds += energy_before -
-                             0.5 * (energy(i, particles.gradient[i], 0., 1.) +
-                                    energy(i, gradient_before, 0., 1.));
+            heat_of_bonds +=
+                energy_before -
+                mean_energy(
+                    i, ends_at(particles.gradient[i], gradient_before), 1.);
             continue;
           }
         const Symmetric2 m = bonds.moment(i);
@@ -204,8 +217,7 @@ namespace Morsel::SPH
           {
             // Its energy is released when it fails, right after this.
             gradient_of_doomed[i] = gradient_before;
-            heat_of_bonds +=
-                energy_before - mean_energy(i, particles.damage[i]);
+            heat_of_bonds += energy_before - mean_energy(i);
             release_damage(i, 1.);
             failed_now.push_back(i);
             continue;
@@ -215,7 +227,7 @@ namespace Morsel::SPH
         else
           particles.shape[i] = inverse(m);
         particles.gradient[i] = displacement_gradient(particles, bonds, i);
-        heat_of_bonds += energy_before - mean_energy(i, particles.damage[i]);
+        heat_of_bonds += energy_before - mean_energy(i);
       }
     touched.clear();
   }

@@ -55,6 +55,8 @@ namespace Morsel::SPH
     state.particles(ratio, deviator, energy, grain_heat, pair_friction_heat);
     state.particles(penalty_energy);
     state.same(any_failed, stale);
+    if (state.loads())
+      watch.forget();
     state.cache(members, member_failed, built_at);
     state.cache(motion, member_stress, size, area, mass);
     std::size_t n_blocks = blocks.size();

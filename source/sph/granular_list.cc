@@ -17,14 +17,17 @@ namespace Morsel::SPH
 
 
   bool
-  Granular::moved_far() const
+  Granular::moved_far()
   {
-    const double reach = skin * kernel.support();
-    for (unsigned int m = 0; m < members.size(); ++m)
-      if ((particles.position(members[m]) - built_at[m]).norm_square() >
-          0.25 * reach * reach)
-        return true;
-    return false;
+    return watch.beyond(
+        0.5 * skin * kernel.support(), particles.travelled, [&] {
+          double largest = 0.;
+          for (unsigned int m = 0; m < members.size(); ++m)
+            largest = std::max(
+                largest,
+                (particles.position(members[m]) - built_at[m]).norm_square());
+          return largest;
+        });
   }
 
 
@@ -83,6 +86,7 @@ namespace Morsel::SPH
         mass[m]              = particles.mass[i];
       }
     stale = false;
+    watch.begin(particles.travelled);
   }
 
 

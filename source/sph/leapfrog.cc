@@ -1,6 +1,9 @@
 #include <morsel/core/parallel.h>
 #include <morsel/sph/leapfrog.h>
 
+#include <atomic>
+#include <cmath>
+
 namespace Morsel::SPH
 {
   namespace
@@ -20,11 +23,13 @@ namespace Morsel::SPH
   void
   Leapfrog::advance(Particles &particles, const double dt)
   {
-    const double before  = lag();
-    const double kick    = before + 0.5 * dt;
-    const bool   viscous = !particles.viscous.empty();
-    last_step            = dt;
+    const double before                = lag();
+    const double kick                  = before + 0.5 * dt;
+    const bool   viscous               = !particles.viscous.empty();
+    last_step                          = dt;
+    std::atomic<double> fastest_square = 0.; // [m^2/s^2]
     parallel_for(particles.n_owned, [&](unsigned int begin, unsigned int end) {
+      double fastest = 0.;
       for (unsigned int i = begin; i < end; ++i)
         {
           const Vector2 a = particles.acceleration[i];
@@ -37,10 +42,16 @@ namespace Morsel::SPH
           v.y += kick * a.y;
           m.u_x += dt * v.x;
           m.u_y += dt * v.y;
-          m.v_x = v.x + 0.5 * dt * a.x;
-          m.v_y = v.y + 0.5 * dt * a.y;
+          m.v_x   = v.x + 0.5 * dt * a.x;
+          m.v_y   = v.y + 0.5 * dt * a.y;
+          fastest = std::max(fastest, v.x * v.x + v.y * v.y);
         }
+      double known = fastest_square;
+      while (known < fastest &&
+             !fastest_square.compare_exchange_weak(known, fastest))
+        {}
     });
+    particles.travelled += dt * std::sqrt(fastest_square);
   }
 
 

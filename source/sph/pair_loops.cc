@@ -231,4 +231,74 @@ namespace Morsel::SPH
       }
     return 0.25 * p.volume(i) * sum;
   }
+
+
+  namespace
+  {
+    /// Sums over the bonds of a particle for a least-squares fit.
+    struct FitSums
+    {
+      Tensor2 moment{0., 0., 0., 0.}; ///< sum_j a_ij u_ij (x) X_ij
+      double  square = 0.;            ///< sum_j a_ij u_ij . u_ij
+
+      void
+      add(const double w,
+          const double u_x,
+          const double u_y,
+          const double X,
+          const double Y)
+      {
+        moment.xx += w * u_x * X;
+        moment.xy += w * u_x * Y;
+        moment.yx += w * u_y * X;
+        moment.yy += w * u_y * Y;
+        square += w * (u_x * u_x + u_y * u_y);
+      }
+
+      /// sum_j a_ij |u_ij - H X_ij|^2 with C = sum_j a_ij X_ij (x) X_ij.
+      double
+      residual(const Tensor2 &H, const Symmetric2 &C) const
+      {
+        const Tensor2 HC = product(H, C);
+        return square + H.xx * (HC.xx - 2. * moment.xx) +
+               H.xy * (HC.xy - 2. * moment.xy) +
+               H.yx * (HC.yx - 2. * moment.yx) +
+               H.yy * (HC.yy - 2. * moment.yy);
+      }
+    };
+  } // namespace
+
+
+  std::array<LocalStrain, 2>
+  strain_over_step(const Particles   &p,
+                   const Bonds       &bonds,
+                   const unsigned int i,
+                   const double       step)
+  {
+    if (!p.fit.empty())
+      return {{{p.gradient[i], fit_residual(p, bonds, i)},
+               {displacement_gradient(p, bonds, i, step),
+                fit_residual(p, bonds, i, step)}}};
+
+    const Displacement ahead{step};
+    const Motion       m    = p.motion[i];
+    const Vector2      then = ahead(p, i);
+    Symmetric2         C{0., 0., 0.};
+    FitSums            sums_now, sums_then;
+    for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
+      {
+        const unsigned int j = bonds.list.index[k];
+        const double  w = bonds.weight[k], X = bonds.dx[k], Y = bonds.dy[k];
+        const Vector2 u = ahead(p, j);
+        C.xx += w * X * X;
+        C.yy += w * Y * Y;
+        C.xy += w * X * Y;
+        sums_now.add(w, p.motion[j].u_x - m.u_x, p.motion[j].u_y - m.u_y, X, Y);
+        sums_then.add(w, u.x - then.x, u.y - then.y, X, Y);
+      }
+    const Tensor2 H      = product(sums_then.moment, p.shape[i]);
+    const double  factor = 0.25 * p.volume(i);
+    return {{{p.gradient[i], factor * sums_now.residual(p.gradient[i], C)},
+             {H, factor * sums_then.residual(H, C)}}};
+  }
 } // namespace Morsel::SPH

@@ -70,6 +70,11 @@ namespace Morsel::Contact
     }
 
   protected:
+    /// The mean over a particle's width differs from the foot by less than the
+    /// width.
+    double
+    influence() const override;
+
     void
     begin(const Surface &surface) override;
 

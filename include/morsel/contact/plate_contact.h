@@ -4,6 +4,7 @@
 #include <morsel/contact/parameters.h>
 #include <morsel/contact/surface.h>
 #include <morsel/contact/touches.h>
+#include <morsel/core/movement_watch.h>
 #include <morsel/core/particle_edges.h>
 #include <morsel/core/records.h>
 #include <morsel/core/state_archive_fwd.h>
@@ -25,12 +26,14 @@ namespace Morsel::Contact
     /// @p n_owned particles. Adds to the forces on the surface's nodes, and
     /// the friction heat of a step of length @p time_step [s].
     /// The returned list is valid until the next call.
+    /// @param travelled see Particles::travelled
     const std::vector<ParticleForce> &
     compute(const std::vector<dealii::Point<2>> &reference,
             const std::vector<Motion>           &motion,
             unsigned int                         n_owned,
             double                               time_step,
-            Surface                             &surface);
+            Surface                             &surface,
+            double travelled = MovementWatch::unknown);
 
     /// The same once more for the same particles, after the surface's nodes
     /// have moved by less than the search margin: in place of the last call.
@@ -103,7 +106,15 @@ namespace Morsel::Contact
     struct Candidate
     {
       unsigned int particle, first, last;
+      double       clearance; ///< least distance at the search, or less [m]
     };
+
+    /// A particle further than this from all facets does nothing [m].
+    virtual double
+    influence() const
+    {
+      return range;
+    }
 
     /// Called before the particles are gone through.
     virtual void
@@ -159,18 +170,32 @@ namespace Morsel::Contact
               double                     time_step,
               Surface                   &surface);
 
-    void
-    search(const std::vector<dealii::Point<2>> &x, const Surface &surface);
+    /// By how far a node has moved since the search [m].
+    double
+    farthest_node(const Surface &surface) const;
 
+    template <typename Position>
+    void
+    search(const Position    &position,
+           const unsigned int n_owned,
+           const Surface     &surface);
+
+    template <typename Position>
     bool
-    search_is_due(const std::vector<dealii::Point<2>> &x,
-                  const Surface                       &surface) const;
+    search_is_due(const Position    &position,
+                  const unsigned int n_owned,
+                  const Surface     &surface,
+                  double             travelled);
 
     const double                  margin;
-    std::vector<dealii::Point<2>> position, searched_at, searched_nodes;
-    std::vector<ParticleForce>    forces;
-    double                        heat_before = 0.;
-    double                        slipping_mass;
+    std::vector<dealii::Point<2>> searched_at, searched_nodes;
+    std::vector<dealii::Point<2>> position; ///< of the candidates
+    MovementWatch                 watch;
+    /// Since the search, at most [m].
+    double                     nodes_moved = 0., particles_moved = 0.;
+    std::vector<ParticleForce> forces;
+    double                     heat_before = 0.;
+    double                     slipping_mass;
 
     dealii::Tensor<1, 2>
     spring_friction(unsigned int                particle,

@@ -93,7 +93,16 @@ namespace Morsel::SPH
     {
       unsigned int particle;
       double       energy_before; ///< mean_energy() with all its bonds [J]
-      Materials::Tensor2 gradient_before; ///< gradient_ahead() with them [1]
+      Materials::Tensor2 gradient_before; ///< then, with them [1]
+    };
+
+    /// A particle's gradient H [1], its response and the residual of its fit
+    /// (see fit_residual()) [m^3] now and at the end of the coming step.
+    struct Ends
+    {
+      Materials::Tensor2         gradient[2];
+      Materials::ElasticResponse response[2];
+      double                     residual[2];
     };
 
     void
@@ -126,23 +135,27 @@ namespace Morsel::SPH
     void
     release_damage(unsigned int i, double new_damage);
 
-    /// Energy of particle i with this damage [J] at a gradient and fit
-    /// residual.
-    double
-    energy(unsigned int              i,
-           const Materials::Tensor2 &H,
-           double                    residual,
-           double                    damage) const;
+    void
+    release_damage(unsigned int i, const Ends &ends, double new_damage);
 
-    /// Energy of particle i with this damage [J], the mean of now and of the
-    /// end of the coming step.
-    double
-    mean_energy(unsigned int i, double damage) const;
+    /// As its bonds are; at the end with the gradient that it had before cuts
+    /// if it is to fail now, since its bonds do not span the plane.
+    Ends
+    ends_of(unsigned int i) const;
 
-    /// H_i at the end of the coming step [1]; as it was before cuts for a
-    /// particle that is to fail now, whose bonds do not span the plane.
-    Materials::Tensor2
-    gradient_ahead(unsigned int i) const;
+    Ends
+    ends_at(const Materials::Tensor2 &now,
+            const Materials::Tensor2 &then) const;
+
+    /// Energy of particle i with this damage [J], the mean of both ends.
+    double
+    mean_energy(unsigned int i, const Ends &ends, double damage) const;
+
+    double
+    mean_energy(const unsigned int i) const
+    {
+      return mean_energy(i, ends_of(i), particles.damage[i]);
+    }
 
     void
     fail(unsigned int i);

@@ -2,6 +2,7 @@
 #define morsel_sph_granular_h
 
 #include <morsel/core/kernel.h>
+#include <morsel/core/movement_watch.h>
 #include <morsel/core/state_archive_fwd.h>
 #include <morsel/materials/elasticity.h>
 #include <morsel/sph/bonds.h>
@@ -104,7 +105,7 @@ namespace Morsel::SPH
     };
 
     bool
-    moved_far() const;
+    moved_far();
 
     void
     rebuild_list();
@@ -163,6 +164,7 @@ namespace Morsel::SPH
     std::vector<unsigned int>     members;
     std::vector<char>             member_failed;
     std::vector<dealii::Point<2>> built_at;
+    MovementWatch                 watch;
     std::vector<Block>            blocks;
     CellGrid                      grid;
     bool                          any_failed = false;

@@ -5,6 +5,8 @@
 #include <morsel/sph/bonds.h>
 #include <morsel/sph/particles.h>
 
+#include <array>
+
 namespace Morsel::SPH
 {
   /// What the kernels of pair_kernels.h work on; valid until a field of
@@ -27,6 +29,21 @@ namespace Morsel::SPH
                         const Bonds     &bonds,
                         unsigned int     i,
                         double           ahead = 0.);
+
+  /// What the strain of a particle is, and what no linear field explains.
+  struct LocalStrain
+  {
+    Materials::Tensor2 gradient; ///< H_i [1]
+    double             residual; ///< see fit_residual() [m^3]
+  };
+
+  /// Both now (with the gradient that is stored) and at the end of the coming
+  /// leapfrog step of length @p step [s], in one sweep.
+  std::array<LocalStrain, 2>
+  strain_over_step(const Particles &particles,
+                   const Bonds     &bonds,
+                   unsigned int     i,
+                   double           step);
 
   /// The same of the present velocities: dH_i/dt [1/s].
   Materials::Tensor2

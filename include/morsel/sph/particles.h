@@ -22,6 +22,9 @@ namespace Morsel::SPH
     unsigned int n_local = 0;
     double       spacing = 0.; ///< dp [m]
     double       depth   = 0.; ///< out of plane [m]
+    /// Way that the owned ones have gone at most, step by step the fastest
+    /// [m]: what they move by since some time is no more than its change.
+    double travelled = 0.;
 
     std::vector<double> area; ///< of each in the reference plane [m^2]
     std::vector<double> mass; ///< [kg]
