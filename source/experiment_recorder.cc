@@ -308,6 +308,8 @@ namespace Morsel
     log.end_progress();
     if (!frames.empty() && last_frame_time < experiment.time())
       write_frame();
+    for (auto &body : frames)
+      body->finish();
     summarise_observers();
     summarise_cracks();
     summarise_bodies();

@@ -364,6 +364,13 @@ namespace Morsel
     }
     if (scene.output.fields && last_frame_time < bite.time())
       write_frame();
+    if (particle_frames)
+      particle_frames->finish();
+    for (auto *const frames : {plate_frames.get(), elastic_frames.get()})
+      if (frames)
+        frames->finish();
+    if (surface_frames)
+      surface_frames->finish();
     write_fragments();
 
     summarise_stroke(stop_reason());

@@ -145,6 +145,37 @@ namespace Morsel::Materials
   }
 
 
+  namespace
+  {
+    /// The deviator softens alone in compression, the strain becomes isochoric
+    /// and the stress out of the plane rises, which would strengthen by up to
+    /// 9 %. What counts is that of the elastic solid under this stress in the
+    /// plane: the strength of a sample stays that of the driver.
+    PlaneStrainStress
+    softened_stress(const DamageLaw         &law,
+                    const Elasticity        &elasticity,
+                    const PlaneStrainStress &stress,
+                    const double             D)
+    {
+      PlaneStrainStress sigma = soften(law.softening, stress, D);
+      sigma.zz = elasticity.poissons_ratio * (sigma.xx + sigma.yy);
+      return sigma;
+    }
+  } // namespace
+
+
+  double
+  softened_driver(const DamageLaw         &law,
+                  const Elasticity        &elasticity,
+                  const PlaneStrainStress &stress,
+                  const bool               cut_off,
+                  const double             D)
+  {
+    return driver_value(
+        law, elasticity, softened_stress(law, elasticity, stress, D), cut_off);
+  }
+
+
   Softened
   energy_softening(const DamageLaw         &law,
                    const Elasticity        &elasticity,
@@ -155,17 +186,8 @@ namespace Morsel::Materials
                    const Softened          &state,
                    const double             modulus_factor)
   {
-    // The deviator softens alone in compression, the strain becomes isochoric
-    // and the stress out of the plane rises, which would strengthen by up to
-    // 9 %. What counts is that of the elastic solid under this stress in the
-    // plane: the strength of a sample stays that of the driver.
-    const auto softened = [&](const double D) {
-      PlaneStrainStress sigma = soften(law.softening, stress, D);
-      sigma.zz = elasticity.poissons_ratio * (sigma.xx + sigma.yy);
-      return sigma;
-    };
     const auto driver_at = [&](const double D) {
-      return driver_value(law, elasticity, softened(D), cut_off);
+      return softened_driver(law, elasticity, stress, cut_off, D);
     };
     const double s = driver_at(state.damage);
     if (s <= r * (1. - state.used))
@@ -173,9 +195,11 @@ namespace Morsel::Materials
 
     // The strength of this direction is where the softened stress, scaled,
     // meets s = 1.
-    const double capacity = law.range_at(r, modulus_factor) * r * r *
-                            energy_density(elasticity, softened(state.damage)) /
-                            (modulus_factor * s * s);
+    const double capacity =
+        law.range_at(r, modulus_factor) * r * r *
+        energy_density(elasticity,
+                       softened_stress(law, elasticity, stress, state.damage)) /
+        (modulus_factor * s * s);
     const double use_per_damage = energy / capacity;
     const auto   excess         = [&](const double D) {
       return driver_at(D) -

@@ -1,3 +1,5 @@
+#include "hdf5_file.h"
+
 #include <morsel/core/atomic_file.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/failure.h>
@@ -15,12 +17,10 @@
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include <hdf5.h>
-
 #include <cmath>
 #include <filesystem>
 #include <sstream>
-#include <tuple>
+#include <utility>
 
 namespace Morsel::Output
 {
@@ -29,13 +29,6 @@ namespace Morsel::Output
 
   namespace
   {
-    using Range = std::tuple<
-        unsigned int,
-        unsigned int,
-        std::string,
-        dealii::DataComponentInterpretation::DataComponentInterpretation>;
-
-
     std::vector<std::string>
     component_names(const Field &field)
     {
@@ -44,7 +37,7 @@ namespace Morsel::Output
           case Field::Kind::scalar:
             return {field.name};
           case Field::Kind::vector:
-            return {field.name, field.name};
+            return {field.name};
           case Field::Kind::tensor:
             return {field.name + "_xx",
                     field.name + "_xy",
@@ -54,74 +47,6 @@ namespace Morsel::Output
       Assert(false, dealii::ExcInternalError());
       return {};
     }
-
-
-    /// Hands the arrays to deal.II's writers as patches of one cell each.
-    template <int dim>
-    class Patches : public dealii::DataOutInterface<dim, 2>
-    {
-    public:
-      Patches(const ArrayView<const Point<2>> points,
-              const std::vector<Field>       &fields)
-      {
-        constexpr unsigned int n_vertices =
-            dealii::GeometryInfo<dim>::vertices_per_cell;
-        for (const auto &field : fields)
-          {
-            const auto components = component_names(field);
-            if (field.kind == Field::Kind::vector)
-              ranges.emplace_back(names.size(),
-                                  names.size() + 1,
-                                  field.name,
-                                  dealii::DataComponentInterpretation::
-                                      component_is_part_of_vector);
-            names.insert(names.end(), components.begin(), components.end());
-          }
-
-        patches.resize(points.size() / n_vertices);
-        for (std::size_t c = 0; c < patches.size(); ++c)
-          {
-            patches[c].patch_index = c;
-            if constexpr (dim > 0) // left invalid by the constructor
-              patches[c].reference_cell =
-                  dealii::ReferenceCells::get_hypercube<dim>();
-            patches[c].data.reinit(names.size(), n_vertices);
-            for (unsigned int v = 0; v < n_vertices; ++v)
-              {
-                const std::size_t p    = c * n_vertices + v;
-                patches[c].vertices[v] = points[p];
-                unsigned int row       = 0;
-                for (const auto &field : fields)
-                  for (unsigned int d = 0; d < field.n_components(); ++d)
-                    patches[c].data(row++, v) =
-                        field.values[p * field.n_components() + d];
-              }
-          }
-      }
-
-      const std::vector<dealii::DataOutBase::Patch<dim, 2>> &
-      get_patches() const override
-      {
-        return patches;
-      }
-
-      std::vector<std::string>
-      get_dataset_names() const override
-      {
-        return names;
-      }
-
-      std::vector<Range>
-      get_nonscalar_data_ranges() const override
-      {
-        return ranges;
-      }
-
-    private:
-      std::vector<dealii::DataOutBase::Patch<dim, 2>> patches;
-      std::vector<std::string>                        names;
-      std::vector<Range>                              ranges;
-    };
 
 
     void
@@ -150,33 +75,79 @@ namespace Morsel::Output
     }
 
 
+    /// Writing a file so that it survives takes as long as a thousand steps of
+    /// a small scene.
+    constexpr std::chrono::seconds between_series(1);
+
+
     /// With less room [B] on the disk, that is why a file cannot be written.
     constexpr std::uintmax_t smallest_space = 1 << 16;
 
 
-    /// HDF5 prints what its caller is going to tell in a sentence.
-    class QuietHDF5
+    /// The vertices of this rank's cells, in the order of XDMF.
+    template <int dim>
+    std::vector<unsigned int>
+    cell_vertices(const Rows &points)
     {
-    public:
-      QuietHDF5()
-      {
-        H5Eget_auto2(H5E_DEFAULT, &function, &data);
-        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-      }
+      constexpr unsigned int n_vertices =
+          dealii::GeometryInfo<dim>::vertices_per_cell;
+      std::vector<unsigned int> vertices(points.here);
+      for (unsigned int k = 0; k < vertices.size(); ++k)
+        vertices[k] = points.first + k;
+      if (dim == 2) // around the cell, not row by row
+        for (unsigned int k = 0; k < vertices.size(); k += n_vertices)
+          std::swap(vertices[k + 2], vertices[k + 3]);
+      return vertices;
+    }
 
-      ~QuietHDF5()
-      {
-        H5Eset_auto2(H5E_DEFAULT, function, data);
-      }
 
-      QuietHDF5(const QuietHDF5 &) = delete;
-      QuietHDF5 &
-      operator=(const QuietHDF5 &) = delete;
+    template <int dim>
+    void
+    write_fields(HDF5File                        &file,
+                 const ArrayView<const Point<2>> &points,
+                 const Rows                      &rows,
+                 const std::vector<Field>        &fields)
+    {
+      constexpr unsigned int n_vertices =
+          dealii::GeometryInfo<dim>::vertices_per_cell;
+      std::vector<double> values;
+      const auto          write = [&](const std::string &name,
+                             const unsigned int columns,
+                             const auto        &value) {
+        values.resize(rows.here * columns);
+        for (std::size_t p = 0; p < rows.here; ++p)
+          for (unsigned int c = 0; c < columns; ++c)
+            values[columns * p + c] = value(p, c);
+        file.write(name, values.data(), rows, columns);
+      };
 
-    private:
-      H5E_auto2_t function = nullptr;
-      void       *data     = nullptr;
-    };
+      write("nodes", 2, [&](const std::size_t p, const unsigned int c) {
+        return points[p][c];
+      });
+      const auto vertices = cell_vertices<dim>(rows);
+      file.write("cells",
+                 vertices.data(),
+                 {rows.first / n_vertices,
+                  rows.here / n_vertices,
+                  rows.all / n_vertices},
+                 n_vertices);
+      for (const auto &field : fields)
+        {
+          const unsigned int n = field.n_components();
+          if (field.kind == Field::Kind::vector)
+            write(
+                field.name, 3, [&](const std::size_t p, const unsigned int c) {
+                  return c < 2 ? field.values[2 * p + c] : 0.;
+                });
+          else
+            for (unsigned int k = 0; k < n; ++k)
+              write(component_names(field)[k],
+                    1,
+                    [&](const std::size_t p, const unsigned int) {
+                      return field.values[n * p + k];
+                    });
+        }
+    }
 
 
     /// The ranks that hold something: writing no rows makes HDF5 abort.
@@ -266,12 +237,16 @@ namespace Morsel::Output
     if (points.size() > 0)
       try
         {
-          const Patches<dim>                 patches(points, fields);
-          dealii::DataOutBase::DataOutFilter filter(
-              dealii::DataOutBase::DataOutFilterFlags(false, true));
-          patches.write_filtered_data(filter);
-          const QuietHDF5 quiet;
-          patches.write_hdf5_parallel(filter, temporary, writers.communicator);
+          const std::uint64_t here  = points.size();
+          std::uint64_t       first = 0;
+          const int           ierr  = MPI_Exscan(
+              &here, &first, 1, MPI_UINT64_T, MPI_SUM, writers.communicator);
+          AssertThrowMPI(ierr);
+          if (MPI::this_mpi_process(writers.communicator) == 0)
+            first = 0; // left undefined
+          HDF5File file(temporary, writers.communicator);
+          write_fields<dim>(file, points, {first, here, n_points}, fields);
+          file.close();
         }
       catch (const dealii::ExceptionBase &)
         {
@@ -282,13 +257,15 @@ namespace Morsel::Output
     dealii::XDMFEntry entry(
         h5_name, h5_name, time, n_points, n_points / n_vertices, dim, 2);
     for (const auto &field : fields)
-      if (field.kind == Field::Kind::vector)
-        entry.add_attribute(field.name, 3);
-      else
-        for (const auto &component : component_names(field))
-          entry.add_attribute(component, 1);
+      for (const auto &component : component_names(field))
+        entry.add_attribute(component,
+                            field.kind == Field::Kind::vector ? 3 : 1);
     entries.push_back(entry);
-    write_series();
+    if (entries.size() > 1 &&
+        std::chrono::steady_clock::now() < series_written + between_series)
+      series_is_old = true;
+    else
+      write_series();
   }
 
 
@@ -346,8 +323,19 @@ namespace Morsel::Output
 
   template <int dim>
   void
-  Frames<dim>::write_series() const
+  Frames<dim>::finish()
   {
+    if (series_is_old)
+      write_series();
+  }
+
+
+  template <int dim>
+  void
+  Frames<dim>::write_series()
+  {
+    series_is_old  = false;
+    series_written = std::chrono::steady_clock::now();
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       write_atomically(
           folder + "/" + name + ".xdmf",

@@ -281,6 +281,15 @@ namespace Morsel::SPH
   DamageEvolution::soften(const unsigned int                  i,
                           const Materials::PlaneStrainStress &stress)
   {
+    // Most that have softened before do not at this step.
+    const double r = particles.threshold[i];
+    if (Materials::softened_driver(law,
+                                   material,
+                                   stress,
+                                   !particles.near_face[i],
+                                   particles.damage[i]) <=
+        r * (1. - particles.used[i]))
+      return;
     const Ends                        ends     = ends_of(i);
     const Materials::ElasticResponse &response = ends.response[0];
     const double                      energy =
@@ -292,7 +301,7 @@ namespace Morsel::SPH
                                     material,
                                     stress,
                                     !particles.near_face[i],
-                                    particles.threshold[i],
+                                    r,
                                     energy,
                                     {particles.damage[i], particles.used[i]},
                                     particles.modulus_factor(i));

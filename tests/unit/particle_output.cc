@@ -67,6 +67,7 @@ BOOST_AUTO_TEST_CASE(particles_come_back)
       file.open_dataset("stress_yy").read<dealii::FullMatrix<double>>();
   BOOST_CHECK_EQUAL(s(2, 0), 9.);
 
+  frames.finish();
   const auto xdmf = content(folder("food") / "food.xdmf");
   BOOST_CHECK(xdmf.find("food_000000.h5:/damage") != std::string::npos);
   BOOST_CHECK(xdmf.find("<Time Value=\"0.25\"") != std::string::npos);
@@ -88,6 +89,9 @@ BOOST_AUTO_TEST_CASE(plates_come_back)
   const auto cells =
       file.open_dataset("cells").read<dealii::FullMatrix<double>>();
   BOOST_CHECK_EQUAL(cells.m(), 2u);
+  // Around the cell.
+  BOOST_CHECK_EQUAL(cells(1, 1), 5.);
+  BOOST_CHECK_EQUAL(cells(1, 2), 7.);
 }
 
 

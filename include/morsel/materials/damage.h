@@ -182,6 +182,15 @@ namespace Morsel::Materials
   };
 
 
+  /// Driver [1] of what damage @p D leaves of an undamaged Cauchy stress.
+  double
+  softened_driver(const DamageLaw         &law,
+                  const Elasticity        &elasticity,
+                  const PlaneStrainStress &stress,
+                  bool                     cut_off,
+                  double                   D);
+
+
   /// Growth of damage that keeps the driver of the *softened* stress within
   /// r (1 - kappa), where kappa is the energy dissipated so far over
   /// g = R r^2 (f^2/(2 E')), f being the strength in the direction of this

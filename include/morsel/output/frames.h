@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -33,11 +34,11 @@ namespace Morsel::Output
 
 
   /// The moments of one body over time: one HDF5 file each and an XDMF file
-  /// that ParaView opens, rewritten at every moment so that a run that is
-  /// killed leaves a readable series.
+  /// that ParaView opens, rewritten at moments a second or more apart so that
+  /// a run that is killed leaves a readable series.
   ///
   /// dim is that of the cells: 0 for particles, 1 for lines, 2 for plates. The
-  /// datasets are "nodes" (n x 2), "cells", and one per field, of single
+  /// datasets are "nodes" (n x 2), "cells", and one per field, of double
   /// precision and with vectors padded to three components.
   template <int dim>
   class Frames
@@ -63,6 +64,10 @@ namespace Morsel::Output
           const dealii::ArrayView<const dealii::Point<2>> points,
           const std::vector<Field>                       &fields);
 
+    /// Completes the series: after the last moment. Collective.
+    void
+    finish();
+
     unsigned int
     n_frames() const;
 
@@ -85,12 +90,14 @@ namespace Morsel::Output
 
     /// The file that ParaView opens.
     void
-    write_series() const;
+    write_series();
 
-    const std::string              folder;
-    const std::string              name;
-    const MPI_Comm                 communicator;
-    std::vector<dealii::XDMFEntry> entries;
+    const std::string                     folder;
+    const std::string                     name;
+    const MPI_Comm                        communicator;
+    std::vector<dealii::XDMFEntry>        entries;
+    bool                                  series_is_old = false;
+    std::chrono::steady_clock::time_point series_written{}; ///< or never
   };
 
 
