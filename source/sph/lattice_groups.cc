@@ -46,7 +46,7 @@ namespace Morsel::SPH
           use[g] = regular;
           ++n_regular;
         }
-    if (empty())
+    if (n_regular == 0)
       {
         use = {};
         return;
@@ -189,7 +189,14 @@ namespace Morsel::SPH
       return;
     use[g] &= ~regular;
     --n_regular;
-    mark_neighbours(list, g, needs_records);
+    // With pairs at the edge of the support rows do not stand as the pattern.
+    bool whole = true;
+    for (unsigned int row = g * group_size; row < (g + 1) * group_size; ++row)
+      whole = whole && list.start[row + 1] - list.start[row] == 2 * x.size();
+    if (whole)
+      use[g] |= frayed;
+    else
+      mark_neighbours(list, g, needs_records);
   }
 
 

@@ -136,30 +136,74 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     };
 
 
-    /// Whether group @p g goes by the lattice's pattern.
-    MORSEL_INLINE bool
-    is_regular(const BondedArrays &a, const unsigned int g)
+    /// Where the pairs of a group come from.
+    enum class Pairs
     {
-      return a.lattice.use && (a.lattice.use[g] & lattice_regular);
+      list,
+      regular, ///< the lattice's pattern
+      frayed   ///< the same, but some are cut: weights are the group's
+    };
+
+
+    MORSEL_INLINE Pairs
+    pairs_of(const BondedArrays &a, const unsigned int g)
+    {
+      const char use = a.lattice.use ? a.lattice.use[g] : char(0);
+      return use & lattice_regular  ? Pairs::regular
+             : use & lattice_frayed ? Pairs::frayed
+                                    : Pairs::list;
     }
 
 
-    /// sum_j a_ij u_ij (x) X_ij of regular particles: of a pair X and -X
-    /// their own displacement drops out.
-    MORSEL_INLINE Matrix
-    lattice_moment(const LatticeArrays &lattice,
-                   const unsigned int   g,
-                   const unsigned int   offset)
+    /// The weights of the pairs at X and -X of a frayed group.
+    struct TwoWeights
     {
-      const double *const u_x   = lattice.column[column_u_x] + offset;
-      const double *const u_y   = lattice.column[column_u_y] + offset;
-      const unsigned int *first = lattice.first + 2 * g * lattice.n_twos;
-      Matrix              moment;
+      V ahead, back;
+
+      MORSEL_INLINE
+      TwoWeights(const BondedArrays &a,
+                 const unsigned int  g,
+                 const unsigned int  offset,
+                 const unsigned int  t)
+      {
+        // Rows are sorted by their neighbours: from the last at -X to X.
+        const unsigned int first = a.slot_begin[g], n = a.lattice.n_twos;
+        back  = load(a.weight + (first + t) * group_size + offset);
+        ahead = load(a.weight + (first + 2 * n - 1 - t) * group_size + offset);
+      }
+    };
+
+
+    /// sum_j a_ij u_ij (x) X_ij on a lattice: of whole pairs X and -X the
+    /// particle's own displacement drops out.
+    template <Pairs pairs>
+    MORSEL_INLINE Matrix
+    lattice_moment(const BondedArrays &a,
+                   const unsigned int  g,
+                   const unsigned int  offset)
+    {
+      const LatticeArrays &lattice = a.lattice;
+      const double *const  u_x     = lattice.column[column_u_x] + offset;
+      const double *const  u_y     = lattice.column[column_u_y] + offset;
+      const unsigned int   i       = g * group_size;
+      const unsigned int  *first   = lattice.first + 2 * g * lattice.n_twos;
+      Matrix               moment;
       for (unsigned int t = 0; t < lattice.n_twos; ++t, first += 2)
-        moment.add(load(u_x + first[0]) - load(u_x + first[1]),
-                   load(u_y + first[0]) - load(u_y + first[1]),
-                   all(lattice.weight_x[t]),
-                   all(lattice.weight_y[t]));
+        if constexpr (pairs == Pairs::regular)
+          moment.add(load(u_x + first[0]) - load(u_x + first[1]),
+                     load(u_y + first[0]) - load(u_y + first[1]),
+                     all(lattice.weight_x[t]),
+                     all(lattice.weight_y[t]));
+        else
+          {
+            const TwoWeights w(a, g, offset, t);
+            moment.add(w.ahead * (load(u_x + first[0]) - load(u_x + i)) -
+                           w.back * (load(u_x + first[1]) - load(u_x + i)),
+                       w.ahead * (load(u_y + first[0]) - load(u_y + i)) -
+                           w.back * (load(u_y + first[1]) - load(u_y + i)),
+                       all(lattice.x[t]),
+                       all(lattice.y[t]));
+          }
       return moment;
     }
 
@@ -283,7 +327,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     template <bool     linear_law,
               Softened softened,
               Gradient kind,
-              bool     regular = false>
+              Pairs    pairs = Pairs::list>
     MORSEL_INLINE void
     strain_row(const BondedArrays    &a,
                const BondedConstants &c,
@@ -294,11 +338,14 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
 
       Corrections correction;
       Matrix      H, fit;
-      if constexpr (regular)
+      if constexpr (pairs != Pairs::list)
         {
           const Symmetric2 &B = a.lattice.shape;
-          correction.shape    = {all(B.xx), all(B.xy), all(B.xy), all(B.yy)};
-          H   = product(lattice_moment(a.lattice, g, offset), correction.shape);
+          if constexpr (pairs == Pairs::regular)
+            correction.shape = {all(B.xx), all(B.xy), all(B.xy), all(B.yy)};
+          else
+            correction.shape = symmetric_of(row, a.shape);
+          H   = product(lattice_moment<pairs>(a, g, offset), correction.shape);
           fit = H;
         }
       else
@@ -409,16 +456,19 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
               if (a.slot_begin[g] == a.slot_end[g])
                 continue;
             }
-          if constexpr (kind == Gradient::fit)
-            if (is_regular(a, g))
-              {
-                for (unsigned int offset = 0; offset < group_size;
-                     offset += lanes)
-                  strain_row<linear_law, softened, kind, true>(a, c, g, offset);
-                continue;
-              }
+          const Pairs pairs =
+              kind == Gradient::fit ? pairs_of(a, g) : Pairs::list;
           for (unsigned int offset = 0; offset < group_size; offset += lanes)
-            strain_row<linear_law, softened, kind>(a, c, g, offset);
+            if constexpr (kind != Gradient::fit)
+              strain_row<linear_law, softened, kind>(a, c, g, offset);
+            else if (pairs == Pairs::regular)
+              strain_row<linear_law, softened, kind, Pairs::regular>(
+                  a, c, g, offset);
+            else if (pairs == Pairs::frayed)
+              strain_row<linear_law, softened, kind, Pairs::frayed>(
+                  a, c, g, offset);
+            else
+              strain_row<linear_law, softened, kind>(a, c, g, offset);
         }
     }
 

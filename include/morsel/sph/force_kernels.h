@@ -155,9 +155,9 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     }
 
 
-    /// The same as force_row() for regular particles: what pairs X and -X take
-    /// of a particle's own stress cancels.
-    template <bool viscosity, bool varying>
+    /// The same as force_row() on a lattice. What whole pairs X and -X take of
+    /// a particle's own stress cancels.
+    template <bool viscosity, bool varying, Pairs pairs>
     MORSEL_INLINE void
     lattice_force_row(const BondedArrays    &a,
                       const BondedConstants &c,
@@ -169,81 +169,81 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
       const auto column = [&](const LatticeColumn k, const unsigned int i) {
         return load(lattice.column[k] + i);
       };
-      const V            u_x = column(column_u_x, row.first);
-      const V            u_y = column(column_u_y, row.first);
-      [[maybe_unused]] V v_x, v_y;
+      const V            own_x = column(column_u_x, row.first);
+      const V            own_y = column(column_u_y, row.first);
+      [[maybe_unused]] V own_v_x, own_v_y, hg, T_xx, T_xy, T_yx, T_yy;
       if constexpr (viscosity)
         {
-          v_x = column(column_v_x, row.first);
-          v_y = column(column_v_y, row.first);
+          own_v_x = column(column_v_x, row.first);
+          own_v_y = column(column_v_y, row.first);
         }
-      [[maybe_unused]] V hg;
       if constexpr (varying)
         hg = 0.5 * load(a.hourglass + row.first);
+      if constexpr (pairs == Pairs::frayed)
+        {
+          T_xx = column(column_xx, row.first);
+          T_xy = column(column_xy, row.first);
+          T_yx = column(column_yx, row.first);
+          T_yy = column(column_yy, row.first);
+        }
 
-      V                   f_x{}, f_y{}, e_x{}, e_y{};
-      [[maybe_unused]] V  g_x{}, g_y{};
+      V                  f_x{}, f_y{}, e_x{}, e_y{};
+      [[maybe_unused]] V g_x{}, g_y{};
+      // Residual and viscosity of one pair.
+      const auto add =
+          [&](const unsigned int j, const V w, const V X, const V Y) {
+            const V d_x = column(column_u_x, j) - own_x;
+            const V d_y = column(column_u_y, j) - own_y;
+            V       k   = w;
+            if constexpr (varying)
+              k *= hg + 0.5 * load(a.hourglass + j);
+            e_x += k * d_x;
+            e_y += k * d_y;
+            if constexpr (viscosity)
+              add_viscosity(c,
+                            w,
+                            X + d_x,
+                            Y + d_y,
+                            column(column_v_x, j) - own_v_x,
+                            column(column_v_y, j) - own_v_y,
+                            g_x,
+                            g_y);
+          };
       const unsigned int *first = lattice.first + 2 * g * lattice.n_twos;
       for (unsigned int t = 0; t < lattice.n_twos; ++t, first += 2)
         {
           const unsigned int i = first[0] + offset, j = first[1] + offset;
-          const V            S_xx = column(column_xx, i) - column(column_xx, j);
-          const V            S_xy = column(column_xy, i) - column(column_xy, j);
-          const V            S_yx = column(column_yx, i) - column(column_yx, j);
-          const V            S_yy = column(column_yy, i) - column(column_yy, j);
-          const V            w_x  = all(lattice.weight_x[t]),
-                  w_y             = all(lattice.weight_y[t]);
-          f_x += w_x * S_xx + w_y * S_xy;
-          f_y += w_x * S_yx + w_y * S_yy;
-
-          const V w    = all(lattice.weight[t]);
-          const V di_x = column(column_u_x, i) - u_x;
-          const V di_y = column(column_u_y, i) - u_y;
-          const V dj_x = column(column_u_x, j) - u_x;
-          const V dj_y = column(column_u_y, j) - u_y;
-          if constexpr (varying)
+          const V            X = all(lattice.x[t]), Y = all(lattice.y[t]);
+          if constexpr (pairs == Pairs::regular)
             {
-              const V k_i = hg + 0.5 * load(a.hourglass + i);
-              const V k_j = hg + 0.5 * load(a.hourglass + j);
-              e_x += w * (k_i * di_x + k_j * dj_x);
-              e_y += w * (k_i * di_y + k_j * dj_y);
+              const V w_x  = all(lattice.weight_x[t]);
+              const V w_y  = all(lattice.weight_y[t]);
+              const V S_xx = column(column_xx, i) - column(column_xx, j);
+              const V S_xy = column(column_xy, i) - column(column_xy, j);
+              const V S_yx = column(column_yx, i) - column(column_yx, j);
+              const V S_yy = column(column_yy, i) - column(column_yy, j);
+              f_x += w_x * S_xx + w_y * S_xy;
+              f_y += w_x * S_yx + w_y * S_yy;
+              const V w = all(lattice.weight[t]);
+              add(i, w, X, Y);
+              add(j, w, -X, -Y);
             }
           else
             {
-              e_x += w * (di_x + dj_x);
-              e_y += w * (di_y + dj_y);
-            }
-          if constexpr (viscosity)
-            {
-              const V X = all(lattice.x[t]), Y = all(lattice.y[t]);
-              add_viscosity(c,
-                            w,
-                            di_x + X,
-                            di_y + Y,
-                            column(column_v_x, i) - v_x,
-                            column(column_v_y, i) - v_y,
-                            g_x,
-                            g_y);
-              add_viscosity(c,
-                            w,
-                            dj_x - X,
-                            dj_y - Y,
-                            column(column_v_x, j) - v_x,
-                            column(column_v_y, j) - v_y,
-                            g_x,
-                            g_y);
+              const TwoWeights w(a, g, offset, t);
+              const auto       S = [&](const LatticeColumn k, const V T) {
+                return w.ahead * (column(k, i) + T) -
+                       w.back * (column(k, j) + T);
+              };
+              f_x += X * S(column_xx, T_xx) + Y * S(column_xy, T_xy);
+              f_y += X * S(column_yx, T_yx) + Y * S(column_yy, T_yy);
+              add(i, w.ahead, X, Y);
+              add(j, w.back, -X, -Y);
             }
         }
-      if constexpr (varying)
-        {
-          f_x += e_x;
-          f_y += e_y;
-        }
-      else
-        {
-          f_x += c.uniform_hourglass * e_x;
-          f_y += c.uniform_hourglass * e_y;
-        }
+      const double scale = varying ? 1. : c.uniform_hourglass;
+      f_x += scale * e_x;
+      f_y += scale * e_y;
       store_acceleration<viscosity>(a, c, row, f_x, f_y, g_x, g_y);
     }
 
@@ -269,16 +269,17 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           }
         else
           {
-            if constexpr (kind == Gradient::fit)
-              if (is_regular(a, g))
-                {
-                  for (unsigned int offset = 0; offset < group_size;
-                       offset += lanes)
-                    lattice_force_row<viscosity, varying>(a, c, g, offset);
-                  continue;
-                }
+            const Pairs pairs =
+                kind == Gradient::fit ? pairs_of(a, g) : Pairs::list;
             for (unsigned int offset = 0; offset < group_size; offset += lanes)
-              force_row<viscosity, varying, kind>(a, c, g, offset);
+              if (pairs == Pairs::regular)
+                lattice_force_row<viscosity, varying, Pairs::regular>(
+                    a, c, g, offset);
+              else if (pairs == Pairs::frayed)
+                lattice_force_row<viscosity, varying, Pairs::frayed>(
+                    a, c, g, offset);
+              else
+                force_row<viscosity, varying, kind>(a, c, g, offset);
           }
     }
   } // namespace

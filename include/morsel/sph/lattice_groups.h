@@ -33,7 +33,7 @@ namespace Morsel::SPH
     bool
     empty() const
     {
-      return n_regular == 0;
+      return use.empty();
     }
 
     /// How many groups are worked on by the pattern.
@@ -43,7 +43,8 @@ namespace Morsel::SPH
       return n_regular;
     }
 
-    /// From now on particle @p i's group goes by the list of its pairs.
+    /// A pair of particle @p i is to be cut: from now on its group goes by the
+    /// weights of its own pairs.
     void
     leave(unsigned int i, const NeighbourList &list);
 
@@ -57,7 +58,8 @@ namespace Morsel::SPH
     {
       regular       = lattice_regular,
       needs_records = lattice_needs_records,
-      needs_columns = lattice_needs_columns
+      needs_columns = lattice_needs_columns,
+      frayed        = lattice_frayed
     };
 
     /// Whether the pairs of group @p g are those of the pattern; makes the

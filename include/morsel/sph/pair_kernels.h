@@ -39,9 +39,10 @@ namespace Morsel::SPH
   /// read what it writes; see LatticeGroups.
   enum LatticeUse : char
   {
-    lattice_regular       = 1,
+    lattice_regular       = 1, ///< by the pattern
     lattice_needs_records = 2,
-    lattice_needs_columns = 4
+    lattice_needs_columns = 4,
+    lattice_frayed        = 8 ///< by the pattern, with weights of its own
   };
 
 
