@@ -182,6 +182,7 @@ namespace Morsel
       plate.account(clock.kick(), dt);
     for (const auto &drive : drives)
       drive->account(clock.kick());
+    sum_plate_forces();
     if (clock.step() % steps_between_face_marks == 0)
       mark_loaded_faces();
   }
@@ -256,19 +257,18 @@ namespace Morsel
   }
 
 
-  double
-  Bite::normal_force(const unsigned int plate) const
+  void
+  Bite::sum_plate_forces()
   {
-    return dealii::Utilities::MPI::sum(std::abs(plates[plate].force()[axis]),
-                                       communicator);
-  }
-
-
-  double
-  Bite::tangential_force(const unsigned int plate) const
-  {
-    return std::abs(dealii::Utilities::MPI::sum(plates[plate].force()[1 - axis],
-                                                communicator));
+    plate_forces.clear();
+    for (const auto &plate : plates)
+      {
+        plate_forces.push_back(std::abs(plate.force()[axis]));
+        plate_forces.push_back(plate.force()[1 - axis]);
+      }
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(plate_forces),
+                                communicator,
+                                dealii::ArrayView<double>(plate_forces));
   }
 
 

@@ -79,10 +79,16 @@ namespace Morsel
     /// Force of the food on a plate along the closing direction, positive in
     /// compression, and across it [N]; the same on all ranks.
     double
-    normal_force(unsigned int plate) const;
+    normal_force(const unsigned int plate) const
+    {
+      return plate_forces[2 * plate];
+    }
 
     double
-    tangential_force(unsigned int plate) const;
+    tangential_force(const unsigned int plate) const
+    {
+      return std::abs(plate_forces[2 * plate + 1]);
+    }
 
     /// Everything in joules at the last evaluate().
     Measure::Energies
@@ -233,6 +239,10 @@ namespace Morsel
     void
     mark_loaded_faces();
 
+    /// All at once: ranks meet once a step for it.
+    void
+    sum_plate_forces();
+
     double
     stable_time_step() const;
 
@@ -247,8 +257,10 @@ namespace Morsel
     std::vector<std::unique_ptr<SPH::Solid>> solids;
     std::vector<Jaw::Plate>                  plates;
     std::vector<std::string>                 responses; ///< of the plates
-    std::vector<std::shared_ptr<Jaw::Drive>> drives;    ///< each once
-    std::vector<double>                 ways_to_food;   ///< 1 or -1, by plate
+    /// Along and across the closing direction, at the last evaluate() [N].
+    std::vector<double>                      plate_forces;
+    std::vector<std::shared_ptr<Jaw::Drive>> drives;  ///< each once
+    std::vector<double>                 ways_to_food; ///< 1 or -1, by plate
     std::vector<Pair>                   pairs;
     std::vector<Meeting>                meetings;
     std::vector<Neighbours>             neighbours;

@@ -11,6 +11,7 @@ namespace Morsel
       : scene(scene)
       , resume(options.resume)
       , communicator(communicator)
+      , several_ranks(dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
       , folder(options.output_directory + "/checkpoint",
                scene.output.checkpoints_kept,
                communicator)

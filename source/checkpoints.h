@@ -55,6 +55,9 @@ namespace Morsel
     bool
     after_step(Run &run)
     {
+      // Ranks have to agree, which costs as much as a small step.
+      if (several_ranks && run.step() % steps_between_wishes != 0)
+        return false;
       const Wish wish = wish_of_all();
       if (wish != Wish::nothing)
         save(run);
@@ -108,9 +111,12 @@ namespace Morsel
 
     using Clock = std::chrono::steady_clock;
 
+    static constexpr unsigned int steps_between_wishes = 16;
+
     const Scene::Scene      &scene;
     const bool               resume;
     const MPI_Comm           communicator;
+    const bool               several_ranks;
     Output::CheckpointFolder folder;
     StateArchive             loaded;
     std::vector<std::string> complaints;

@@ -75,6 +75,7 @@ namespace Morsel::SPH
   void
   Solid::exchange_state(StateArchive &state)
   {
+    finish_motion();
     particles.exchange_state(state);
     leapfrog.exchange_state(state);
     if (fracture)

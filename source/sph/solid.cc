@@ -26,28 +26,44 @@ namespace Morsel::SPH
   {
     constexpr unsigned int grain  = 64;
     const BondedArrays     arrays = bonded_arrays(particles, bonds);
-    if (!bonds.lattice.empty())
-      parallel_for(
-          particles.n_groups(),
-          [&](unsigned int begin, unsigned int end) {
-            column_loop(arrays, constants, begin, end);
-          },
-          grain);
-    parallel_for(
-        particles.n_groups(),
-        [&](unsigned int begin, unsigned int end) {
-          strain_loop(arrays, constants, begin, end);
-        },
-        grain);
-    host.exchange(particles.pair_stress);
     if (!viscosity) // what failed material added
       std::fill(particles.viscous.begin(), particles.viscous.end(), Vector2{});
-    parallel_for(
-        particles.n_groups(),
-        [&](unsigned int begin, unsigned int end) {
-          force_loop(arrays, constants, begin, end);
-        },
-        grain);
+
+    // Only the first groups have to do with other ranks: the others are worked
+    // on while messages are on their way.
+    const unsigned int n_boundary =
+        (host.n_boundary() + group_size - 1) / group_size;
+    const unsigned int n    = particles.n_groups();
+    const auto         work = [&](const PairKernels::Strain loop,
+                          const unsigned int        first,
+                          const unsigned int        last) {
+      parallel_for(
+          last - first,
+          [&](unsigned int begin, unsigned int end) {
+            loop(arrays, constants, first + begin, first + end);
+          },
+          grain);
+    };
+    if (!bonds.lattice.empty())
+      work(column_loop, 0, n);
+    work(strain_loop, n_boundary, n);
+    finish_motion();
+    work(strain_loop, 0, n_boundary);
+    const auto stresses = dealii::make_array_view(particles.pair_stress);
+    host.exchange_start(stresses);
+    work(force_loop, n_boundary, n);
+    host.exchange_finish(stresses);
+    work(force_loop, 0, n_boundary);
+  }
+
+
+  void
+  Solid::finish_motion()
+  {
+    if (motion_travels)
+      host.exchange_finish(dealii::make_array_view(particles.motion),
+                           motion_channel);
+    motion_travels = false;
   }
 
 
@@ -84,7 +100,9 @@ namespace Morsel::SPH
   Solid::advance(const double dt)
   {
     leapfrog.advance(particles, dt);
-    host.exchange(particles.motion);
+    host.exchange_start(dealii::make_array_view(particles.motion),
+                        motion_channel);
+    motion_travels = true;
   }
 
 

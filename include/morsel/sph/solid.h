@@ -161,6 +161,10 @@ namespace Morsel::SPH
     first_inverted() const override;
 
   private:
+    /// Waits for the motion of ghosts.
+    void
+    finish_motion();
+
     void
     fill(const Scene::ParticleBody &body, unsigned int seed);
 
@@ -220,6 +224,10 @@ namespace Morsel::SPH
     PairKernels::Strain column_loop; ///< of bonds.lattice
     PairKernels::Strain strain_loop;
     PairKernels::Force  force_loop;
+
+    /// Ghosts' motion is on its way since advance().
+    bool                          motion_travels = false;
+    static constexpr unsigned int motion_channel = 1;
 
     std::unique_ptr<DamageEvolution> fracture;
     std::unique_ptr<Granular>        granular;
