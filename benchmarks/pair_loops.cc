@@ -57,16 +57,13 @@ namespace
       if (conforming)
         build_conforming(across);
       else
-        bonds.build(p, kernel);
+        bonds.build(p, kernel, {}, {on_lattice});
       bonds.make_breakable(kernel);
       for (unsigned int i = 0; i < n; ++i)
         if (conforming)
           SPH::renew_conforming(p, bonds, i);
         else
           p.shape.push_back(SPH::inverse(bonds.moment(i)));
-
-      if (!conforming && on_lattice)
-        bonds.lattice.find(p, bonds, 0);
 
       constants.mu                = material.mu;
       constants.bulk              = material.bulk;

@@ -8,7 +8,8 @@ namespace Morsel::SPH
   void
   Bonds::build(const Particles  &particles,
                const Kernel     &kernel,
-               const Visibility &visibility)
+               const Visibility &visibility,
+               const LatticeSearch &lattice_search)
   {
     list = find_neighbours(
         particles.reference, particles.n_owned, kernel.support());
@@ -19,7 +20,9 @@ namespace Morsel::SPH
       weight[k] = particles.area[list.index[k]] *
                   kernel.gradient_weight(std::sqrt(length_square(k)));
     live.assign(weight.size(), true);
-    pack();
+    if (lattice_search.wanted)
+      lattice.find(particles, *this, lattice_search.first_without_ghosts);
+    pack(lattice_search.breaks);
   }
 
 
@@ -40,7 +43,7 @@ namespace Morsel::SPH
 
 
   void
-  Bonds::pack()
+  Bonds::pack(const bool all)
   {
     const unsigned int n_rows   = list.n_rows();
     const unsigned int n_groups = (n_rows + group_size - 1) / group_size;
@@ -49,6 +52,7 @@ namespace Morsel::SPH
       {
         unsigned int longest = 0, most_near = 0;
         for (unsigned int i = g * group_size;
+             (all || !lattice.is_regular(g)) &&
              i < std::min(n_rows, (g + 1) * group_size);
              ++i)
           {
@@ -63,14 +67,14 @@ namespace Morsel::SPH
 
     // What is left of a group's slots are pairs of a particle with itself.
     packed.index.resize(packed.slot_begin.back() * group_size);
-    packed.place.resize(list.index.size());
+    packed.place.assign(list.index.size(), nowhere);
     for (unsigned int i = 0; i < n_groups * group_size; ++i)
       {
         const unsigned int g   = i / group_size;
         const unsigned int row = std::min(i, n_rows - 1);
         for (unsigned int s = packed.slot_begin[g]; s < packed.slot_end[g]; ++s)
           packed.index[s * group_size + i % group_size] = row;
-        if (i >= n_rows)
+        if (i >= n_rows || (!all && lattice.is_regular(g)))
           continue;
         unsigned int near = packed.slot_begin[g];
         unsigned int far  = near + n_near(i);

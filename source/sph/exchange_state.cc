@@ -22,6 +22,14 @@ namespace Morsel::SPH
 
 
   void
+  Particles::exchange_motion(StateArchive &state)
+  {
+    state.name_particles(id, n_owned);
+    state.particles(motion, half_velocity, viscous_heat);
+  }
+
+
+  void
   Leapfrog::exchange_state(StateArchive &state)
   {
     state.same(last_step);
@@ -76,7 +84,10 @@ namespace Morsel::SPH
   Solid::exchange_state(StateArchive &state)
   {
     finish_motion();
-    particles.exchange_state(state);
+    if (fracture)
+      particles.exchange_state(state);
+    else
+      particles.exchange_motion(state);
     leapfrog.exchange_state(state);
     if (fracture)
       {

@@ -24,8 +24,8 @@ namespace Morsel::SPH
   void
   Solid::compute_accelerations(const double)
   {
-    constexpr unsigned int grain  = 64;
-    const BondedArrays     arrays = bonded_arrays(particles, bonds);
+    constexpr unsigned int grain = 64;
+    arrays                       = bonded_arrays(particles, bonds);
     if (!viscosity) // what failed material added
       std::fill(particles.viscous.begin(), particles.viscous.end(), Vector2{});
 

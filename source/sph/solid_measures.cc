@@ -1,3 +1,4 @@
+#include <morsel/core/parallel.h>
 #include <morsel/sph/solid.h>
 
 #include <cmath>
@@ -19,7 +20,21 @@ namespace Morsel::SPH
   Solid::energies() const
   {
     SolidEnergies e;
-    for (unsigned int i = 0; i < particles.n_owned; ++i)
+    if (energy_loop)
+      {
+        parallel_for(
+            particles.n_groups(),
+            [&](unsigned int begin, unsigned int end) {
+              energy_loop(arrays, constants, begin, end);
+            },
+            64);
+        for (const GroupEnergy &group : particles.energy)
+          {
+            e.strain += group.strain;
+            e.hourglass += group.hourglass;
+          }
+      }
+    for (unsigned int i = 0; !energy_loop && i < particles.n_owned; ++i)
       {
         if (fracture && particles.failed[i])
           continue;

@@ -115,10 +115,13 @@ namespace Morsel::SPH
     if (cells)
       bonds.build_conforming(particles, cloud, kernel, visibility);
     else
-      bonds.build(particles, kernel, visibility);
+      bonds.build(particles,
+                  kernel,
+                  visibility,
+                  {normalisation == Normalisation::gradient_matrix,
+                   body.damage.enabled,
+                   host.n_boundary()});
     normalise(body);
-    if (normalisation == Normalisation::gradient_matrix)
-      bonds.lattice.find(particles, bonds, host.n_boundary());
   }
 
 
@@ -244,6 +247,11 @@ namespace Morsel::SPH
     strain_loop = conforming ? kernels.strain_conforming[linear_law][softened]
                   : particles.fit.empty() ? kernels.strain[linear_law][softened]
                                           : kernels.strain_own_fit[linear_law];
+    if (!conforming && particles.fit.empty() && softened < 2)
+      {
+        energy_loop = kernels.energy[linear_law][softened];
+        particles.energy.resize(particles.n_groups());
+      }
     const bool varying = body.damage.enabled || !particles.modulus.empty();
     force_loop         = (conforming ? kernels.force_conforming
                                      : kernels.force)[viscosity][varying];

@@ -87,10 +87,7 @@ namespace Morsel::SPH
           p.own_sum.resize(n);
         }
       else
-        {
-          bonds.build(p, kernel);
-          bonds.lattice.find(p, bonds, 0);
-        }
+        bonds.build(p, kernel, {}, {true});
       renew();
     }
 

@@ -155,6 +155,15 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     }
 
 
+    /// All of group @p g has failed.
+    MORSEL_INLINE bool
+    is_retired(const BondedArrays &a, const unsigned int g)
+    {
+      return a.slot_begin[g] == a.slot_end[g] &&
+             pairs_of(a, g) != Pairs::regular;
+    }
+
+
     /// The weights of the pairs at X and -X of a frayed group.
     struct TwoWeights
     {
@@ -453,7 +462,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           if constexpr (softened != intact)
             {
               a.crushed[g] = 0;
-              if (a.slot_begin[g] == a.slot_end[g])
+              if (is_retired(a, g))
                 continue;
             }
           const Pairs pairs =

@@ -43,6 +43,15 @@ namespace Morsel::SPH
   };
 
 
+  /// Whether regular groups are searched for, see LatticeGroups.
+  struct LatticeSearch
+  {
+    bool         wanted               = false;
+    bool         breaks               = true; ///< so that lists may be needed
+    unsigned int first_without_ghosts = 0;
+  };
+
+
   /// The reference pairs of a total Lagrangian solid. Entry k of row i
   /// carries weight a_ij = V_j |W'|/R (zero once cut), X_j - X_i and, where
   /// bonds can break, the place of the pair's other entry.
@@ -63,7 +72,7 @@ namespace Morsel::SPH
     std::vector<char>         live;   ///< not cut
     std::vector<unsigned int> mirror; ///< entry (j, i) of entry (i, j)
     PackedBonds               packed;
-    LatticeGroups             lattice; ///< empty until lattice.find()
+    LatticeGroups             lattice; ///< empty unless searched for
 
     // Only with the conforming gradient.
     std::vector<Vector2> own;  ///< G_ij [1/m]
@@ -76,7 +85,8 @@ namespace Morsel::SPH
     void
     build(const Particles  &particles,
           const Kernel     &kernel,
-          const Visibility &visibility = Visibility());
+          const Visibility &visibility  = Visibility(),
+          const LatticeSearch &lattice_search = {});
 
     /// The same with the conforming gradient.
     /// @param cloud the particles' in their order, on one rank
@@ -143,6 +153,8 @@ namespace Morsel::SPH
                     const Kernel    &kernel) const;
 
   private:
+    static constexpr unsigned int nowhere = -1;
+
     void
     set_offsets(const Particles &particles);
 
@@ -151,8 +163,9 @@ namespace Morsel::SPH
     n_near(unsigned int i) const;
 
     /// Lays out the rows and what every form has.
+    /// @param all also of regular groups
     void
-    pack();
+    pack(bool all = true);
 
     /// Lays out a further quantity of the pairs.
     template <typename Value>
@@ -161,7 +174,8 @@ namespace Morsel::SPH
     {
       packed_values.resize(packed.index.size(), 0.);
       for (unsigned int k = 0; k < packed.place.size(); ++k)
-        packed_values[packed.place[k]] = value(k);
+        if (packed.place[k] != nowhere)
+          packed_values[packed.place[k]] = value(k);
     }
   };
 

@@ -256,7 +256,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
                const unsigned int     end)
     {
       for (unsigned int g = begin; g < end; ++g)
-        if (a.slot_begin[g] == a.slot_end[g])
+        if (is_retired(a, g))
           {
             for (unsigned int i = g * group_size;
                  i < (g + 1) * group_size && i < a.n_owned;

@@ -36,6 +36,12 @@ namespace Morsel::SPH
       return use.empty();
     }
 
+    bool
+    is_regular(const unsigned int g) const
+    {
+      return !use.empty() && (use[g] & regular);
+    }
+
     /// How many groups are worked on by the pattern.
     unsigned int
     size() const

@@ -19,6 +19,13 @@ namespace Morsel::SPH
   constexpr unsigned int group_size = 8;
 
 
+  /// What a group of particles stores [J].
+  struct GroupEnergy
+  {
+    double strain, hourglass;
+  };
+
+
   /// What lattice groups read of their neighbours in columns: displacement [m],
   /// velocity [m/s] and PairStress [Pa].
   enum LatticeColumn : unsigned int
@@ -97,6 +104,8 @@ namespace Morsel::SPH
     PairStress               *fit_stress;
 
     const double *modulus; ///< over the body's [1]; null where it is uniform
+    const char   *failed;
+    GroupEnergy  *energy; ///< of each group
 
     LatticeArrays lattice;
   };
@@ -224,6 +233,8 @@ namespace Morsel::SPH
     /// [linear law][no damage, softened deviator, softened principal]: of the
     /// conforming gradient.
     Strain strain_conforming[2][3];
+    /// [linear law][no damage, softened deviator]: see energy_kernels.h.
+    Strain energy[2][2];
     /// [viscosity][hourglass stiffness that varies].
     Force force[2][2];
     /// The same with the conforming gradient.

@@ -4,6 +4,7 @@
 // The table of one instruction set.
 
 #include <morsel/sph/driver_kernels.h>
+#include <morsel/sph/energy_kernels.h>
 #include <morsel/sph/force_kernels.h>
 #include <morsel/sph/grain_kernels.h>
 
@@ -33,6 +34,8 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
          {strain_loop<true, intact, Gradient::conforming>,
           strain_loop<true, softened_deviator, Gradient::conforming>,
           strain_loop<true, softened_principal, Gradient::conforming>}},
+        {{energy_loop<false, false>, energy_loop<false, true>},
+         {energy_loop<true, false>, energy_loop<true, true>}},
         {{force_loop<false, false>, force_loop<false, true>},
          {force_loop<true, false>, force_loop<true, true>}},
         {{force_loop<false, false, Gradient::conforming>,

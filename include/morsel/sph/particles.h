@@ -59,6 +59,9 @@ namespace Morsel::SPH
     /// from grain to grain (Materials::GrainField).
     std::vector<double> modulus;
 
+    /// Of each group of particles, as far as kernels sum it; not state.
+    std::vector<GroupEnergy> energy;
+
     // Owned, allocated only with viscosity or for a solid that can fail.
     std::vector<Vector2> viscous; ///< acceleration by viscosity [m/s^2]
     /// Energy that it turned into heat until the last half step [J].
@@ -141,6 +144,11 @@ namespace Morsel::SPH
     /// All fields that change from step to step.
     void
     exchange_state(StateArchive &state);
+
+    /// The same of a solid that cannot fail: what its forces do not follow
+    /// from is its motion.
+    void
+    exchange_motion(StateArchive &state);
   };
 } // namespace Morsel::SPH
 

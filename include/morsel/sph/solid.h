@@ -221,9 +221,11 @@ namespace Morsel::SPH
     double          highest_frequency = 0.; ///< its square [1/s^2]
 
     BondedConstants     constants;
+    BondedArrays        arrays{};    ///< since the last compute_accelerations()
     PairKernels::Strain column_loop; ///< of bonds.lattice
     PairKernels::Strain strain_loop;
     PairKernels::Force  force_loop;
+    PairKernels::Strain energy_loop = nullptr; ///< or by particles
 
     /// Ghosts' motion is on its way since advance().
     bool                          motion_travels = false;
