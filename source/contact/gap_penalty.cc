@@ -11,6 +11,9 @@ namespace Morsel::Contact
     /// Facets that meet at more than 30 degrees make a corner, no curve.
     constexpr double cosine_of_corner = 0.866;
 
+    /// Distances to two facets that differ by less are alike, relative.
+    constexpr double like_distances = 1e-9;
+
 
     double
     largest(const std::vector<double> &values, const double otherwise)
@@ -57,12 +60,15 @@ namespace Morsel::Contact
     double       best  = std::numeric_limits<double>::max();
     for (unsigned int c = candidate.first; c < candidate.last; ++c)
       {
+        // Those that follow were further away.
+        if (distance_of_near[c] - approach() > (1. + like_distances) * best)
+          break;
         const auto p = project(surface, facets_near[c], x);
         // Beyond a corner both of its facets are equally near; if it is sharp,
         // the point may lie behind the line of one: the other one is right.
         const bool sides_differ =
             p.distance * nearest.distance < 0. &&
-            std::abs(std::abs(p.distance) - best) < 1e-9 * best;
+            std::abs(std::abs(p.distance) - best) < like_distances * best;
         if (sides_differ ? std::abs(p.offset) > std::abs(nearest.offset)
                          : std::abs(p.distance) < best)
           {

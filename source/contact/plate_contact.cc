@@ -178,7 +178,7 @@ namespace Morsel::Contact
     energy = penetration = 0.;
     forces.clear();
     begin(surface);
-    const double near = influence() + particles_moved + nodes_moved;
+    const double near = influence() + approach();
     for (unsigned int k = 0; k < candidates.size(); ++k)
       {
         const Candidate     &c = candidates[k];
@@ -204,7 +204,8 @@ namespace Morsel::Contact
   void
   PlateContact::exchange_state(StateArchive &state)
   {
-    state.cache(candidates, facets_near, searched_at, searched_nodes);
+    state.cache(candidates, facets_near, distance_of_near);
+    state.cache(searched_at, searched_nodes);
     state.particles(stretch, stretch_before);
     state.sum(energy, heat, heat_before);
     if (state.loads())
@@ -280,25 +281,34 @@ namespace Morsel::Contact
     searched_at.resize(n_owned);
     candidates.clear();
     facets_near.clear();
+    distance_of_near.clear();
+    std::vector<std::pair<double, unsigned int>> near;
 
     const double    reach = range + margin;
     const FacetGrid grid(surface, reach);
     for (unsigned int i = 0; i < n_owned; ++i)
       {
-        searched_at[i]           = place(i);
-        const unsigned int first = facets_near.size();
-        const auto [begin, end]  = grid.near(searched_at[i]);
-        double clearance         = reach;
+        searched_at[i] = place(i);
+        near.clear();
+        const auto [begin, end] = grid.near(searched_at[i]);
+        double clearance        = reach;
         for (unsigned int c = begin; c < end; ++c)
           {
             const unsigned int f = grid.candidates()[c];
             const double       d = project(surface, f, searched_at[i]).distance;
             if (std::abs(d) >= reach)
               continue;
-            facets_near.push_back(f);
+            near.emplace_back(std::abs(d), f);
             clearance = std::min(clearance, d);
           }
-        if (facets_near.size() > first)
+        std::sort(near.begin(), near.end());
+        const unsigned int first = facets_near.size();
+        for (const auto &[distance, f] : near)
+          {
+            facets_near.push_back(f);
+            distance_of_near.push_back(distance);
+          }
+        if (!near.empty())
           candidates.push_back({i,
                                 first,
                                 static_cast<unsigned int>(facets_near.size()),

@@ -160,9 +160,19 @@ namespace Morsel::Contact
     const ParticleSide      side;
     const double            range; ///< [m], nothing acts beyond it
 
-    std::vector<Candidate>    candidates;
+    std::vector<Candidate> candidates;
+    /// Of each candidate by their distances at the search.
     std::vector<unsigned int> facets_near;
+    std::vector<double>       distance_of_near; ///< then [m]
     double                    energy = 0., heat = 0., penetration = 0.;
+
+    /// By how far a facet may have come nearer since the search [m]; not a
+    /// number if that is not known.
+    double
+    approach() const
+    {
+      return particles_moved + nodes_moved;
+    }
 
   private:
     const std::vector<ParticleForce> &
