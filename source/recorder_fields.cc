@@ -75,7 +75,9 @@ namespace Morsel
   void
   Recorder::write_fragments()
   {
-    if (!first_rank || fragments.label.size() != bite.particle_count())
+    // Of the food alone; with other bodies there is no table.
+    if (!first_rank ||
+        bite.food().get_host().n_global() != bite.particle_count())
       return;
     std::vector<std::vector<double>> rows;
     for (unsigned int f = 0; f < fragments.pieces.size(); ++f)

@@ -10,8 +10,17 @@ namespace Morsel::SPH
                const Kernel     &kernel,
                const Visibility &visibility)
   {
-    list = find_neighbours(
-        particles.reference, particles.n_owned, kernel.support());
+    build(particles, kernel, visibility, particles.n_owned);
+  }
+
+
+  void
+  Bonds::build(const Particles   &particles,
+               const Kernel      &kernel,
+               const Visibility  &visibility,
+               const unsigned int n_rows)
+  {
+    list = find_neighbours(particles.reference, n_rows, kernel.support());
     keep_visible(list, particles.reference, visibility);
     set_offsets(particles);
     weight.resize(list.index.size());
@@ -19,7 +28,7 @@ namespace Morsel::SPH
       weight[k] = particles.area[list.index[k]] *
                   kernel.gradient_weight(std::sqrt(length_square(k)));
     live.assign(weight.size(), true);
-    pack();
+    pack(particles.n_owned);
   }
 
 
@@ -40,9 +49,8 @@ namespace Morsel::SPH
 
 
   void
-  Bonds::pack()
+  Bonds::pack(const unsigned int n_rows)
   {
-    const unsigned int n_rows   = list.n_rows();
     const unsigned int n_groups = (n_rows + group_size - 1) / group_size;
     packed.slot_begin.assign(1, 0);
     for (unsigned int g = 0; g < n_groups; ++g)
@@ -63,7 +71,7 @@ namespace Morsel::SPH
 
     // What is left of a group's slots are pairs of a particle with itself.
     packed.index.resize(packed.slot_begin.back() * group_size);
-    packed.place.resize(list.index.size());
+    packed.place.resize(list.start[n_rows]);
     for (unsigned int i = 0; i < n_groups * group_size; ++i)
       {
         const unsigned int g   = i / group_size;
@@ -117,9 +125,11 @@ namespace Morsel::SPH
   {
     for (const unsigned int entry : {k, mirror[k]})
       {
+        live[entry]   = false;
+        weight[entry] = 0.;
+        if (entry >= n_packed())
+          continue; // of a ghost
         const unsigned int p = packed.place[entry];
-        live[entry]          = false;
-        weight[entry]        = 0.;
         packed.weight[p]     = 0.;
         packed.average[p]    = 0.;
         if (!is_conforming())

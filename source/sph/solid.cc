@@ -32,7 +32,10 @@ namespace Morsel::SPH
           strain_loop(arrays, constants, begin, end);
         },
         grain);
-    host.exchange(particles.pair_stress);
+    if (fracture)
+      host.exchange(particles.pair_stress, particles.hourglass);
+    else
+      host.exchange(particles.pair_stress);
     if (!viscosity) // what failed material added
       std::fill(particles.viscous.begin(), particles.viscous.end(), Vector2{});
     parallel_for(
@@ -68,8 +71,11 @@ namespace Morsel::SPH
   void
   Solid::grow_damage(const double time_step)
   {
-    if (fracture)
-      granular->take_over(fracture->update(time_step));
+    if (!fracture)
+      return;
+    const std::vector<unsigned int> &failed = fracture->update(time_step);
+    if (fracture->any_failed_now())
+      granular->take_over(failed);
   }
 
 

@@ -38,7 +38,8 @@ namespace Morsel::SPH
 
     // Only where bonds can break.
     dealii::AlignedVector<double> average; ///< W(|X_ij|) while uncut [1/m^2]
-    std::vector<unsigned int>     place;   ///< where each entry of Bonds went
+    /// Where each entry of Bonds went: those of the owned particles.
+    std::vector<unsigned int> place;
   };
 
 
@@ -71,6 +72,15 @@ namespace Morsel::SPH
     double full_moment = 1.;
 
     /// Pairs that do not see each other have no bond.
+    /// @param n_rows particles that have a row: the owned ones, which alone are
+    ///   packed, or all, so that it is known which bonds of ghosts live
+    void
+    build(const Particles  &particles,
+          const Kernel     &kernel,
+          const Visibility &visibility,
+          unsigned int      n_rows);
+
+    /// The same with rows of the owned ones.
     void
     build(const Particles  &particles,
           const Kernel     &kernel,
@@ -105,9 +115,17 @@ namespace Morsel::SPH
       packed.slot_end[g] = packed.near_end[g] = packed.slot_begin[g];
     }
 
-    /// Saves which bonds are cut; cuts them on loading.
+    /// Saves which bonds are cut; cuts them on loading. To be called after
+    /// @p particles has named them.
     void
-    exchange_state(StateArchive &state);
+    exchange_state(StateArchive &state, const Particles &particles);
+
+    /// Entries in the rows of the owned particles.
+    unsigned int
+    n_packed() const
+    {
+      return packed.place.size();
+    }
 
     /// Entry of the pair (i, j), or -1 where it is not in the list.
     long
@@ -148,9 +166,9 @@ namespace Morsel::SPH
     unsigned int
     n_near(unsigned int i) const;
 
-    /// Lays out the rows and what every form has.
+    /// Lays out the first @p n_rows rows and what every form has.
     void
-    pack();
+    pack(unsigned int n_rows);
 
     /// Lays out a further quantity of the pairs.
     template <typename Value>
