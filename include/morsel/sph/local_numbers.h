@@ -27,7 +27,9 @@ namespace Morsel::SPH
     {
       const auto place = std::lower_bound(
           places.begin(), places.end(), std::make_pair(id, 0u));
-      return place != places.end() && place->first == id ? place->second : -1;
+      return place != places.end() && place->first == id
+                 ? static_cast<long>(place->second)
+                 : -1;
     }
 
   private:
