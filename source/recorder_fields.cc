@@ -52,7 +52,10 @@ namespace Morsel
       fields.push_back({"youngs_modulus", Field::Kind::scalar, modulus});
     if (scene.particle_bodies.front().grains.scatter_strength() &&
         !p.threshold.empty())
-      fields.push_back({"threshold", Field::Kind::scalar, p.threshold});
+      fields.push_back(
+          {"threshold",
+           Field::Kind::scalar,
+           dealii::ArrayView<const double>(p.threshold.data(), n)});
     particle_frames->write(bite.time(), points, fields);
 
     if (!plate_frames)

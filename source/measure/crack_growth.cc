@@ -169,9 +169,9 @@ namespace Morsel::Measure
     const auto   beyond = [&](const unsigned int i) {
       return is_crack[i] && p.reference[i].distance(tip) > radius;
     };
-    const auto &pairs  = solid.get_bonds().list.index;
-    const auto  joined = components(
-        solid, [&](const unsigned int i, const unsigned int k) {
+    const auto &pairs = solid.get_bonds().list.index;
+    const auto  joined =
+        components(solid, [&](const unsigned int i, const unsigned int k) {
           return beyond(i) && beyond(pairs[k]);
         });
     std::vector<char> counts(p.n_owned);

@@ -30,7 +30,7 @@ namespace Morsel::Measure
 
 
   BondList
-  components(const SPH::Solid                                           &solid,
+  components(const SPH::Solid                                          &solid,
              const std::function<bool(unsigned int i, unsigned int k)> &holds)
   {
     const auto &p     = solid.get_particles();

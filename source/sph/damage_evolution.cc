@@ -137,9 +137,8 @@ namespace Morsel::SPH
   {
     const unsigned int n_groups = particles.n_groups();
     particles.crushed.assign(n_groups, 0);
-    particles.strongest.assign((particles.n_local + group_size - 1) /
-                                   group_size,
-                               0.);
+    particles.strongest.assign(
+        (particles.n_local + group_size - 1) / group_size, 0.);
     any_full.assign(n_groups, 0);
     groups_nearby.start.assign(1, 0);
     std::vector<unsigned int> nearby;

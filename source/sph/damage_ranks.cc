@@ -23,9 +23,8 @@ namespace Morsel::SPH
   {
     // Energies at the end of the coming step need the ghosts' motion in it.
     if (average_stress)
-      ranks->exchange(particles.half_velocity,
-                      particles.acceleration,
-                      particles.effective);
+      ranks->exchange(
+          particles.half_velocity, particles.acceleration, particles.effective);
     else
       ranks->exchange(particles.half_velocity, particles.acceleration);
   }

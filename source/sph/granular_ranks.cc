@@ -47,13 +47,14 @@ namespace Morsel::SPH
     foreign_near.start.assign(members.size() + 1, 0);
     const auto for_pairs = [&](const auto &work) {
       for (unsigned int f = 0; f < foreign.size(); ++f)
-        grid.for_each_run(foreign[f].place,
-                          [&](const unsigned int begin, const unsigned int end) {
-                            for (unsigned int m = begin; m < end; ++m)
-                              if ((built_at[m] - foreign[f].place)
-                                      .norm_square() < reach * reach)
-                                work(m, f);
-                          });
+        grid.for_each_run(
+            foreign[f].place,
+            [&](const unsigned int begin, const unsigned int end) {
+              for (unsigned int m = begin; m < end; ++m)
+                if ((built_at[m] - foreign[f].place).norm_square() <
+                    reach * reach)
+                  work(m, f);
+            });
     };
     for_pairs([&](const unsigned int m, const unsigned int) {
       ++foreign_near.start[m + 1];

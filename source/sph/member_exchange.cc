@@ -9,8 +9,8 @@ namespace Morsel::SPH
   using dealii::Point;
 
   MemberExchange::MemberExchange(const MPI_Comm communicator)
-      : communicator(dealii::Utilities::MPI::duplicate_communicator(
-            communicator))
+      : communicator(
+            dealii::Utilities::MPI::duplicate_communicator(communicator))
       , send_start(1, 0)
       , receive_start(1, 0)
   {}
@@ -58,11 +58,10 @@ namespace Morsel::SPH
           if (needed[k])
             kept.push_back(send_index[k]);
         kept_start.push_back(kept.size());
-        left_start.push_back(
-            left_start.back() +
-            std::count(wanted.begin() + receive_start[p],
-                       wanted.begin() + receive_start[p + 1],
-                       1));
+        left_start.push_back(left_start.back() +
+                             std::count(wanted.begin() + receive_start[p],
+                                        wanted.begin() + receive_start[p + 1],
+                                        1));
       }
     send_index.swap(kept);
     send_start.swap(kept_start);
@@ -86,13 +85,8 @@ namespace Morsel::SPH
         dealii::Utilities::MPI::n_mpi_processes(communicator));
     const std::array<double, 4> mine{
         {box.lower[0], box.lower[1], box.upper[0], box.upper[1]}};
-    const int error = MPI_Allgather(mine.data(),
-                                    4,
-                                    MPI_DOUBLE,
-                                    all.data(),
-                                    4,
-                                    MPI_DOUBLE,
-                                    communicator);
+    const int error = MPI_Allgather(
+        mine.data(), 4, MPI_DOUBLE, all.data(), 4, MPI_DOUBLE, communicator);
     AssertThrowMPI(error);
 
     const unsigned int rank =

@@ -3,15 +3,29 @@
 #include <morsel/sph/stable_step.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Morsel::SPH
 {
+  namespace
+  {
+    /// Of the whole body: all ranks take the same step. Collective.
+    double
+    least_mass(const Particles &particles, const ParticleHost<2> &host)
+    {
+      return host.minimum(particles.mass.empty()
+                              ? std::numeric_limits<double>::max()
+                              : particles.least_mass());
+    }
+  } // namespace
+
+
   double
   Solid::stable_time_step(const double contact_stiffness) const
   {
     // A spring of stiffness k on one particle adds k/m to the square.
     const double w2 =
-        highest_frequency + contact_stiffness / particles.least_mass();
+        highest_frequency + contact_stiffness / least_mass(particles, host);
     // What has broken is damped even where the intact body is not.
     const double g = viscosity || fracture
                          ? viscous_damping_rate(constants.viscosity_alpha_c,
@@ -110,7 +124,7 @@ namespace Morsel::SPH
   {
     return {particles.spacing,
             depth,
-            particles.least_mass(),
+            least_mass(particles, host),
             material.youngs_modulus,
             material.p_wave_modulus,
             kernel.h};

@@ -117,8 +117,7 @@ namespace Morsel::SPH
   double
   Solid::neighbours_per_particle() const
   {
-    return host.sum(static_cast<double>(bonds.n_packed())) /
-           host.n_global();
+    return host.sum(static_cast<double>(bonds.n_packed())) / host.n_global();
   }
 
 

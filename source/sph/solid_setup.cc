@@ -288,7 +288,7 @@ namespace Morsel::SPH
         body.material.compressive_strength,
         {body.spacing * body.spacing * depth, body.spacing});
     const ParticleHost<2> *const ranks = host.is_alone() ? nullptr : &host;
-    fracture = std::make_unique<DamageEvolution>(
+    fracture                           = std::make_unique<DamageEvolution>(
         particles,
         bonds,
         kernel,

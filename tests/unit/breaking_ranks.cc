@@ -40,19 +40,19 @@ namespace
   crushing(const dealii::Point<2> &x)
   {
     const double half = 0.5 * n * spacing;
-    return dealii::Tensor<1, 2>({8. * std::sin(900. * x[1]),
-                                 -12. * (x[1] - half) / half +
-                                     6. * std::cos(1100. * x[0])});
+    return dealii::Tensor<1, 2>(
+        {8. * std::sin(900. * x[1]),
+         -12. * (x[1] - half) / half + 6. * std::cos(1100. * x[0])});
   }
 
 
   Scene::Scene
   scene(const std::string &growth)
   {
-    Scene::Scene scene         = SPH::scene_of_block(n, n, spacing, 0.3);
-    auto        &body          = scene.particle_bodies.front();
-    body.damage.enabled        = true;
-    body.damage.growth         = growth;
+    Scene::Scene scene          = SPH::scene_of_block(n, n, spacing, 0.3);
+    auto        &body           = scene.particle_bodies.front();
+    body.damage.enabled         = true;
+    body.damage.growth          = growth;
     body.damage.weibull_modulus = 8.;
     return scene;
   }
@@ -180,7 +180,7 @@ namespace
   void
   follow(const Course &course)
   {
-    const Scene::Scene s     = scene(course.growth);
+    const Scene::Scene s = scene(course.growth);
     SPH::Solid         solid(s.particle_bodies[0], s, MPI_COMM_WORLD);
     SPH::Solid         alone = SPH::make_solid(s);
     set_velocities(solid, course.velocity);
@@ -205,9 +205,8 @@ namespace
     check_equal(solid, alone, course.tolerance);
     BOOST_REQUIRE(several.first_failure());
     BOOST_TEST(several.first_failure()->time == one.first_failure()->time);
-    BOOST_TEST(
-        several.first_failure()->place.distance(one.first_failure()->place) ==
-        0.);
+    BOOST_TEST(several.first_failure()->place.distance(
+                   one.first_failure()->place) == 0.);
 
     const auto m = solid.momentum();
     BOOST_CHECK_SMALL((m.x - momentum.x) / impulse, 1e-13);

@@ -27,7 +27,7 @@ namespace Morsel::Measure
     const auto gathered = gather(own(values), host.communicator());
     if (host.is_alone())
       return gathered;
-    const auto ids = gather(own(host.ids()), host.communicator());
+    const auto         ids = gather(own(host.ids()), host.communicator());
     std::vector<Value> result(gathered.size());
     for (std::size_t k = 0; k < ids.size(); ++k)
       result[ids[k]] = gathered[k];
@@ -40,7 +40,7 @@ namespace Morsel::Measure
   /// have the same components. Collective.
   /// @param holds whether entry k of the pairs of particle i, owned, does
   BondList
-  components(const SPH::Solid                                           &solid,
+  components(const SPH::Solid                                          &solid,
              const std::function<bool(unsigned int i, unsigned int k)> &holds);
 } // namespace Morsel::Measure
 

@@ -235,14 +235,14 @@ namespace Morsel::SPH
     std::vector<Touched>      touched;
     /// Ends of longer bonds that this rank has cut and others know.
     std::vector<std::array<unsigned long long, 2>> cut_pairs;
-    std::map<unsigned int, Materials::Tensor2> gradient_of_doomed;
-    std::vector<char>                          is_touched, exposed;
-    std::vector<char>                          is_direct; ///< entries of bonds
-    std::vector<double>                        contact_diameter;
-    double       time_step     = 0.; ///< the coming one [s]
-    double       heat_of_bonds = 0.; ///< of the owned particles [J]
-    double       failed_area   = 0.; ///< on all ranks [m^2]
-    const double total_area;
+    std::map<unsigned int, Materials::Tensor2>     gradient_of_doomed;
+    std::vector<char>                              is_touched, exposed;
+    std::vector<char>   is_direct; ///< entries of bonds
+    std::vector<double> contact_diameter;
+    double              time_step     = 0.; ///< the coming one [s]
+    double              heat_of_bonds = 0.; ///< of the owned particles [J]
+    double              failed_area   = 0.; ///< on all ranks [m^2]
+    const double        total_area;
 
     // For each group of particles.
     NeighbourList       groups_nearby;
