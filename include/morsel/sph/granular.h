@@ -56,7 +56,7 @@ namespace Morsel::SPH
              const GranularConstants     &constants,
              const std::vector<char>     &exposed,
              const std::vector<double>   &contact_diameters,
-             const ParticleHost<2>       *ranks);
+             const ParticleHost<2>       *ranks = nullptr);
 
     /// Takes over this rank's particles of those that have just failed, on
     /// this rank or another: density ratio from their deformation gradient, no
