@@ -1,20 +1,23 @@
 #include "recorder.h"
 
 #include <morsel/measure/fragment_sizes.h>
+#include <morsel/measure/whole_body.h>
 
 namespace Morsel
 {
   std::optional<Measure::FracturePattern>
   Recorder::find_pattern() const
   {
-    // Damage is on one rank alone, see SPH::Solid.
-    const auto &p = bite.food().get_particles();
-    if (!bite.food().can_fail())
+    const auto &food = bite.food();
+    if (!food.can_fail())
       return std::nullopt;
-    const unsigned int n = p.n_owned;
-    return Measure::fracture_pattern({p.reference.data(), n},
-                                     {p.area.data(), n},
-                                     {p.damage.data(), n},
+    const auto &p         = food.get_particles();
+    const auto  positions = Measure::of_whole_body(food, p.reference);
+    const auto  areas     = Measure::of_whole_body(food, p.area);
+    const auto  damage    = Measure::of_whole_body(food, p.damage);
+    return Measure::fracture_pattern(dealii::make_array_view(positions),
+                                     dealii::make_array_view(areas),
+                                     dealii::make_array_view(damage),
                                      bite.closing_axis(),
                                      p.spacing);
   }

@@ -52,7 +52,10 @@ namespace Morsel
       fields.push_back({"youngs_modulus", Field::Kind::scalar, modulus});
     if (scene.particle_bodies.front().grains.scatter_strength() &&
         !p.threshold.empty())
-      fields.push_back({"threshold", Field::Kind::scalar, p.threshold});
+      fields.push_back(
+          {"threshold",
+           Field::Kind::scalar,
+           dealii::ArrayView<const double>(p.threshold.data(), n)});
     particle_frames->write(bite.time(), points, fields);
 
     if (!plate_frames)
@@ -75,7 +78,9 @@ namespace Morsel
   void
   Recorder::write_fragments()
   {
-    if (!first_rank || fragments.label.size() != bite.particle_count())
+    // Of the food alone; with other bodies there is no table.
+    if (!first_rank ||
+        bite.food().get_host().n_global() != bite.particle_count())
       return;
     std::vector<std::vector<double>> rows;
     for (unsigned int f = 0; f < fragments.pieces.size(); ++f)

@@ -1,32 +1,64 @@
+#include <morsel/core/gather.h>
 #include <morsel/measure/breakage.h>
+#include <morsel/measure/whole_body.h>
+
+#include <algorithm>
 
 namespace Morsel::Measure
 {
+  namespace
+  {
+    struct Place
+    {
+      unsigned long long id;
+      dealii::Point<2>   point; ///< [m]
+    };
+
+
+    /// Where that of the lowest id stood; one rank at least has some.
+    dealii::Point<2>
+    first_of_all_ranks(const SPH::Solid                &solid,
+                       const std::vector<unsigned int> &particles)
+    {
+      const auto        &p = solid.get_particles();
+      std::vector<Place> places;
+      for (const unsigned int i : particles)
+        places.push_back({p.id[i], p.reference[i]});
+      places = gather(places, solid.get_host().communicator());
+      return std::min_element(
+                 places.begin(),
+                 places.end(),
+                 [](const Place &a, const Place &b) { return a.id < b.id; })
+          ->point;
+    }
+  } // namespace
+
+
   Fragments
   fragments_of(const SPH::Solid &solid, const double fragment_share)
   {
-    const auto               &p     = solid.get_particles();
-    const auto               &bonds = solid.get_bonds();
-    std::vector<char>         alive(p.n_owned, 1);
-    const std::vector<double> areas(p.area.begin(), p.area.begin() + p.n_owned);
-    BondList                  friends;
-    friends.first.push_back(0);
+    const auto       &p     = solid.get_particles();
+    const auto       &bonds = solid.get_bonds();
+    std::vector<char> alive(p.n_owned, 1);
     for (unsigned int i = 0; i < p.n_owned; ++i)
+      alive[i] = p.failed.empty() || !p.failed[i];
+    alive                = of_whole_body(solid, alive);
+    const auto positions = of_whole_body(solid, p.reference);
+    const auto areas     = of_whole_body(solid, p.area);
+    const auto joined =
+        components(solid, [&bonds](const unsigned int, const unsigned int k) {
+          return bonds.live[k] != 0;
+        });
+    Fragments result = find_fragments(
+        alive, joined, positions, areas, p.spacing, fragment_share);
+    if (!solid.get_host().is_alone())
       {
-        alive[i] = p.failed.empty() || !p.failed[i];
-        for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
-             ++k)
-          if (bonds.list.index[k] < p.n_owned && bonds.live[k])
-            friends.neighbour.push_back(bonds.list.index[k]);
-        friends.first.push_back(friends.neighbour.size());
+        std::vector<int> own;
+        for (unsigned int i = 0; i < p.n_owned; ++i)
+          own.push_back(result.label[p.id[i]]);
+        result.label = own;
       }
-    return find_fragments(alive,
-                          friends,
-                          dealii::ArrayView<const dealii::Point<2>>(
-                              p.reference.data(), p.n_owned),
-                          areas,
-                          p.spacing,
-                          fragment_share);
+    return result;
   }
 
 
@@ -55,7 +87,7 @@ namespace Morsel::Measure
           newly_failed.push_back(i);
         }
     if (!first)
-      first = Failure{time, p.reference[newly_failed.front()]};
+      first = Failure{time, first_of_all_ranks(solid, newly_failed)};
     for (CrackGrowth &crack : growth)
       crack.follow(time, newly_failed);
   }

@@ -1,4 +1,6 @@
 #include <morsel/measure/crack_growth.h>
+#include <morsel/measure/disjoint_sets.h>
+#include <morsel/measure/whole_body.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +56,7 @@ namespace Morsel::Measure
   CrackGrowth::CrackGrowth(const SPH::Solid &solid, const dealii::Point<2> &tip)
       : solid(solid)
       , tip(tip)
-      , is_crack(solid.get_particles().n_owned, 0)
+      , is_crack(solid.get_particles().n_local, 0)
   {}
 
 
@@ -71,18 +73,19 @@ namespace Morsel::Measure
   }
 
 
-  void
-  CrackGrowth::follow(const double                     time,
-                      const std::vector<unsigned int> &newly_failed)
+  bool
+  CrackGrowth::take_in(const std::vector<unsigned int> &candidates,
+                       double                          &farthest)
   {
-    const auto               &p        = solid.get_particles();
-    double                    farthest = extension();
+    const auto               &p   = solid.get_particles();
+    bool                      any = false;
     std::vector<unsigned int> front;
-    for (const unsigned int first : newly_failed)
+    for (const unsigned int first : candidates)
       {
         if (is_crack[first] || !touches(first))
           continue;
         is_crack[first] = 1;
+        any             = true;
         front.push_back(first);
         // What failed apart from the crack may be joined to it now.
         while (!front.empty())
@@ -91,13 +94,39 @@ namespace Morsel::Measure
             front.pop_back();
             farthest = std::max(farthest, p.reference[i].distance(tip));
             for_neighbours(solid, i, [&](const unsigned int j) {
-              if (p.failed[j] && !is_crack[j])
+              if (j < p.n_owned && p.failed[j] && !is_crack[j])
                 {
                   is_crack[j] = 1;
                   front.push_back(j);
                 }
             });
           }
+      }
+    return any;
+  }
+
+
+  void
+  CrackGrowth::follow(const double                     time,
+                      const std::vector<unsigned int> &newly_failed)
+  {
+    const auto &host     = solid.get_host();
+    double      farthest = extension();
+    bool        any      = take_in(newly_failed, farthest);
+    if (!host.is_alone())
+      {
+        // On from what other ranks have found, until none finds any more.
+        const auto               &p = solid.get_particles();
+        std::vector<unsigned int> at_boundary;
+        for (unsigned int i = 0; i < host.n_boundary(); ++i)
+          if (p.failed[i])
+            at_boundary.push_back(i);
+        while (host.maximum(any) > 0.)
+          {
+            host.exchange(is_crack);
+            any = take_in(at_boundary, farthest);
+          }
+        farthest = host.maximum(farthest);
       }
     if (!(farthest > extension()))
       return;
@@ -140,29 +169,23 @@ namespace Morsel::Measure
     const auto   beyond = [&](const unsigned int i) {
       return is_crack[i] && p.reference[i].distance(tip) > radius;
     };
-    std::vector<char>         seen(p.n_owned, 0);
-    std::vector<unsigned int> front;
-    unsigned int              count = 0;
-    for (unsigned int first = 0; first < p.n_owned; ++first)
-      {
-        if (seen[first] || !beyond(first))
-          continue;
-        ++count;
-        seen[first] = 1;
-        front.assign(1, first);
-        while (!front.empty())
-          {
-            const unsigned int i = front.back();
-            front.pop_back();
-            for_neighbours(solid, i, [&](const unsigned int j) {
-              if (!seen[j] && beyond(j))
-                {
-                  seen[j] = 1;
-                  front.push_back(j);
-                }
-            });
-          }
-      }
+    const auto &pairs = solid.get_bonds().list.index;
+    const auto  joined =
+        components(solid, [&](const unsigned int i, const unsigned int k) {
+          return beyond(i) && beyond(pairs[k]);
+        });
+    std::vector<char> counts(p.n_owned);
+    for (unsigned int i = 0; i < p.n_owned; ++i)
+      counts[i] = beyond(i);
+    counts = of_whole_body(solid, counts);
+
+    DisjointSets sets(counts.size());
+    for (std::size_t i = 0; i < counts.size(); ++i)
+      for (auto k = joined.first[i]; k < joined.first[i + 1]; ++k)
+        sets.join(i, joined.neighbour[k]);
+    unsigned int count = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+      count += counts[i] && sets.root(i) == i;
     return count;
   }
 } // namespace Morsel::Measure

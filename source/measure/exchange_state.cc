@@ -35,7 +35,8 @@ namespace Morsel::Measure
   void
   CrackGrowth::exchange_state(StateArchive &state)
   {
-    state.same(is_crack, course, fastest);
+    state.particles(is_crack);
+    state.same(course, fastest);
   }
 
 
@@ -49,7 +50,10 @@ namespace Morsel::Measure
   void
   Breakage::exchange_state(StateArchive &state)
   {
-    state.same(share, known, first);
+    const auto &p = solid.get_particles();
+    state.name_particles(p.id, p.n_owned);
+    state.particles(known);
+    state.same(share, first);
     for (CrackGrowth &crack : growth)
       crack.exchange_state(state);
   }

@@ -6,13 +6,15 @@
 namespace Morsel::SPH
 {
   void
-  Bonds::build(const Particles  &particles,
-               const Kernel     &kernel,
-               const Visibility &visibility,
-               const LatticeSearch &lattice_search)
+  Bonds::build(const Particles   &particles,
+               const Kernel      &kernel,
+               const Visibility  &visibility,
+               const BondOptions &options)
   {
-    list = find_neighbours(
-        particles.reference, particles.n_owned, kernel.support());
+    list =
+        find_neighbours(particles.reference,
+                        options.breaks ? particles.n_local : particles.n_owned,
+                        kernel.support());
     keep_visible(list, particles.reference, visibility);
     set_offsets(particles);
     weight.resize(list.index.size());
@@ -20,9 +22,9 @@ namespace Morsel::SPH
       weight[k] = particles.area[list.index[k]] *
                   kernel.gradient_weight(std::sqrt(length_square(k)));
     live.assign(weight.size(), true);
-    if (lattice_search.wanted)
-      lattice.find(particles, *this, lattice_search.first_without_ghosts);
-    pack(lattice_search.breaks);
+    if (options.search_lattice)
+      lattice.find(particles, *this, options.first_without_ghosts);
+    pack(particles.n_owned, options.breaks);
   }
 
 
@@ -43,9 +45,8 @@ namespace Morsel::SPH
 
 
   void
-  Bonds::pack(const bool all)
+  Bonds::pack(const unsigned int n_rows, const bool all)
   {
-    const unsigned int n_rows   = list.n_rows();
     const unsigned int n_groups = (n_rows + group_size - 1) / group_size;
     packed.slot_begin.assign(1, 0);
     for (unsigned int g = 0; g < n_groups; ++g)
@@ -67,7 +68,7 @@ namespace Morsel::SPH
 
     // What is left of a group's slots are pairs of a particle with itself.
     packed.index.resize(packed.slot_begin.back() * group_size);
-    packed.place.assign(list.index.size(), nowhere);
+    packed.place.assign(list.start[n_rows], nowhere);
     for (unsigned int i = 0; i < n_groups * group_size; ++i)
       {
         const unsigned int g   = i / group_size;
@@ -121,10 +122,12 @@ namespace Morsel::SPH
   {
     for (const unsigned int entry : {k, mirror[k]})
       {
+        live[entry]   = false;
+        weight[entry] = 0.;
+        if (entry >= n_packed())
+          continue; // of a ghost
         const unsigned int p = packed.place[entry];
-        lattice.leave(list.index[mirror[entry]], list);
-        live[entry]       = false;
-        weight[entry]     = 0.;
+        lattice.leave(row_of(entry), list);
         packed.weight[p]  = 0.;
         packed.average[p] = 0.;
         if (!is_conforming())
@@ -137,6 +140,14 @@ namespace Morsel::SPH
                              &packed.damping})
           (*values)[p] = 0.;
       }
+  }
+
+
+  unsigned int
+  Bonds::row_of(const unsigned int entry) const
+  {
+    return std::upper_bound(list.start.begin(), list.start.end(), entry) -
+           list.start.begin() - 1;
   }
 
 

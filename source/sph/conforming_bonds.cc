@@ -72,7 +72,7 @@ namespace Morsel::SPH
     full_moment =
         0.5 * (1. - particles.spacing * particles.spacing * kernel.value(0.));
 
-    pack();
+    pack(list.n_rows());
     pack([&](const unsigned int k) { return own[k].x; }, packed.own_x);
     pack([&](const unsigned int k) { return own[k].y; }, packed.own_y);
     pack([&](const unsigned int k) { return back[k].x; }, packed.back_x);

@@ -33,6 +33,17 @@ namespace Morsel::SPH
       c.average_self     = kernel.value(0.);
       return c;
     }
+
+
+    double
+    area_of_all(const Particles &particles, const ParticleHost<2> *const ranks)
+    {
+      const double here =
+          std::accumulate(particles.area.begin(),
+                          particles.area.begin() + particles.n_owned,
+                          0.);
+      return ranks ? ranks->sum(here) : here;
+    }
   } // namespace
 
 
@@ -47,7 +58,8 @@ namespace Morsel::SPH
       const Materials::DamageParameters &parameters,
       const double                       friend_distance,
       const unsigned int                 seed,
-      const std::vector<double>         &strength)
+      const std::vector<double>         &strength,
+      const ParticleHost<2> *const       ranks)
       : particles(particles)
       , bonds(bonds)
       , material(material)
@@ -61,13 +73,15 @@ namespace Morsel::SPH
       , friend_distance_square(friend_distance * friend_distance)
       , hourglass_stiffness(loop_constants.uniform_hourglass)
       , strength(strength)
+      , ranks(ranks)
+      , local(ranks ? LocalNumbers(particles.id) : LocalNumbers())
       , is_touched(particles.n_local, 0)
       , exposed(particles.n_local, 0)
       , contact_diameter(particles.n_local, particles.spacing)
-      , total_area(
-            std::accumulate(particles.area.begin(), particles.area.end(), 0.))
+      , total_area(area_of_all(particles, ranks))
   {
-    const unsigned int n = particles.n_local;
+    const unsigned int n     = particles.n_local;
+    const unsigned int n_all = ranks ? ranks->n_global() : n;
     particles.damage.assign(n, 0.);
     particles.failed.assign(n, 0);
     particles.effective.assign(n, {0., 0., 0., 0.});
@@ -75,7 +89,7 @@ namespace Morsel::SPH
     particles.near_face.assign(n, 0);
     particles.damage_heat.assign(n, 0.);
     particles.threshold = Materials::thresholds(
-        parameters, law, seed, particles.id, particles.reference, n);
+        parameters, law, seed, particles.id, particles.reference, n_all);
     for (unsigned int i = 0; i < strength.size(); ++i)
       particles.threshold[i] *= strength[i];
     if (law.growth == Materials::Growth::energy_softening)
@@ -83,7 +97,7 @@ namespace Morsel::SPH
     if (parameters.flaws == "Benz-Asphaug" &&
         law.growth == Materials::Growth::grady_kipp)
       flaws = std::make_unique<Materials::ExplicitFlaws>(
-          Materials::explicit_flaws(law.weibull_modulus, seed, n));
+          Materials::explicit_flaws(law.weibull_modulus, seed, n_all));
     bonds.make_breakable(kernel);
     find_groups_nearby();
     find_direct_bonds();
@@ -95,7 +109,7 @@ namespace Morsel::SPH
   DamageEvolution::find_direct_bonds()
   {
     is_direct.assign(bonds.list.index.size(), 0);
-    for (unsigned int i = 0; i < bonds.list.n_rows(); ++i)
+    for (unsigned int i = 0; i < particles.n_owned; ++i)
       for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
            ++k)
         is_direct[k] =
@@ -123,7 +137,8 @@ namespace Morsel::SPH
   {
     const unsigned int n_groups = particles.n_groups();
     particles.crushed.assign(n_groups, 0);
-    particles.strongest.assign(n_groups, 0.);
+    particles.strongest.assign(
+        (particles.n_local + group_size - 1) / group_size, 0.);
     any_full.assign(n_groups, 0);
     groups_nearby.start.assign(1, 0);
     std::vector<unsigned int> nearby;
@@ -154,6 +169,9 @@ namespace Morsel::SPH
   {
     time_step = coming_step;
     newly_failed.clear();
+    failed_anywhere = false;
+    if (ranks)
+      exchange_ghosts();
 
     // With the tensile cut-off everywhere this bounds every average from
     // above: the driver is convex.
@@ -164,6 +182,8 @@ namespace Morsel::SPH
           own_driver(arrays, constants, begin, end);
         },
         grain);
+    if (ranks && average_stress)
+      bound_ghosts();
     std::fill(any_full.begin(), any_full.end(), 0);
     parallel_for(
         particles.n_groups(),

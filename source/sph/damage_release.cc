@@ -16,25 +16,48 @@ namespace Morsel::SPH
   DamageEvolution::break_up()
   {
     // Cutting bonds can leave others with too few of them: those fail too.
-    while (!failed_now.empty())
+    while (take_batch())
       {
-        const std::vector<unsigned int> batch = failed_now;
-        failed_now.clear();
         for (const unsigned int i : batch)
           fail(i);
-        newly_failed.insert(newly_failed.end(), batch.begin(), batch.end());
+        if (ranks)
+          agree_on_cuts();
         settle_touched();
       }
     gradient_of_doomed.clear();
     for (const unsigned int i : newly_failed)
+      retire_group(i / group_size);
+  }
+
+
+  bool
+  DamageEvolution::take_batch()
+  {
+    newly_failed.insert(
+        newly_failed.end(), failed_now.begin(), failed_now.end());
+    bool any = !failed_now.empty();
+    if (ranks)
+      any = take_batch_of_all_ranks();
+    else
       {
-        const unsigned int g     = i / group_size;
-        const auto         first = particles.failed.begin() + g * group_size;
-        const auto         last =
-            first + std::min(group_size, particles.n_owned - g * group_size);
-        if (std::all_of(first, last, [](const char f) { return f != 0; }))
-          bonds.retire(g);
+        batch.swap(failed_now);
+        for (const unsigned int i : batch)
+          failed_area += particles.area[i];
       }
+    failed_now.clear();
+    failed_anywhere = failed_anywhere || any;
+    return any;
+  }
+
+
+  void
+  DamageEvolution::retire_group(const unsigned int g)
+  {
+    const auto first = particles.failed.begin() + g * group_size;
+    const auto last =
+        first + std::min(group_size, particles.n_owned - g * group_size);
+    if (std::all_of(first, last, [](const char f) { return f != 0; }))
+      bonds.retire(g);
   }
 
 
@@ -107,7 +130,6 @@ namespace Morsel::SPH
   DamageEvolution::fail(const unsigned int i)
   {
     particles.failed[i] = 1;
-    failed_area += particles.area[i];
     for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
       {
         const unsigned int j = bonds.list.index[k];
@@ -124,6 +146,13 @@ namespace Morsel::SPH
     // that is cut was perhaps a link of longer ones at both its ends.
     suspects.assign(bonds.list.index.begin() + bonds.list.start[i],
                     bonds.list.index.begin() + bonds.list.start[i + 1]);
+    clear_suspects();
+  }
+
+
+  void
+  DamageEvolution::clear_suspects()
+  {
     while (!suspects.empty())
       {
         const unsigned int j = suspects.back();
@@ -136,7 +165,7 @@ namespace Morsel::SPH
   void
   DamageEvolution::cut_unsupported(const unsigned int i)
   {
-    if (particles.failed[i])
+    if (particles.failed[i] || i >= particles.n_owned)
       return;
     bool any = false;
     for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
@@ -146,6 +175,9 @@ namespace Morsel::SPH
           cut(k, i);
           suspects.push_back(bonds.list.index[k]);
           any = true;
+          if (ranks && i < ranks->n_boundary())
+            cut_pairs.push_back(
+                {{particles.id[i], particles.id[bonds.list.index[k]]}});
         }
     if (any)
       suspects.push_back(i);
@@ -182,7 +214,7 @@ namespace Morsel::SPH
   void
   DamageEvolution::touch(const unsigned int i)
   {
-    if (is_touched[i])
+    if (is_touched[i] || i >= particles.n_owned)
       return;
     is_touched[i]   = 1;
     const Ends ends = ends_of(i);

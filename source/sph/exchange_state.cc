@@ -3,6 +3,7 @@
 #include <morsel/core/state_archive.h>
 #include <morsel/sph/applied_conditions.h>
 #include <morsel/sph/body_contact.h>
+#include <morsel/sph/local_numbers.h>
 #include <morsel/sph/solid.h>
 #include <morsel/sph/updated_lagrangian.h>
 
@@ -37,23 +38,43 @@ namespace Morsel::SPH
 
 
   void
-  Bonds::exchange_state(StateArchive &state)
+  Bonds::exchange_state(StateArchive &state, const Particles &particles)
   {
-    // Bonds break on one rank only, where entries keep their places.
-    std::vector<char> still_live = live;
-    state.cache(still_live, packed.slot_end, packed.near_end);
-    if (state.loads() && still_live.size() == live.size())
-      for (unsigned int k = 0; k < live.size(); ++k)
-        if (live[k] && !still_live[k])
-          cut(k);
+    // By the ids of their ends, which are the same on any number of ranks.
+    std::vector<std::vector<unsigned long long>> ends(list.n_rows());
+    for (unsigned int i = 0; i < list.n_rows() && !state.loads(); ++i)
+      for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
+        if (!live[k])
+          ends[i].push_back(particles.id[list.index[k]]);
+    state.particles(ends);
+    if (!state.loads())
+      return;
+    const LocalNumbers local(particles.id);
+    for (unsigned int i = 0; i < ends.size(); ++i)
+      for (const unsigned long long id : ends[i])
+        {
+          const long j = local.find(id);
+          const long k = j < 0 ? -1 : find(i, j);
+          if (k >= 0 && live[k])
+            cut(k);
+        }
   }
 
 
   void
   DamageEvolution::exchange_state(StateArchive &state)
   {
-    state.same(heat_of_bonds, failed_area);
-    state.cache(exposed, contact_diameter, weakest_of_group, any_full);
+    state.sum(heat_of_bonds);
+    state.same(failed_area);
+    state.particles(exposed, contact_diameter);
+    if (!state.loads())
+      return;
+    for (unsigned int g = 0; g < particles.n_groups(); ++g)
+      {
+        retire_group(g);
+        if (law.growth == Materials::Growth::energy_softening)
+          weakest_of_group[g] = weakest_in(g);
+      }
   }
 
 
@@ -62,21 +83,39 @@ namespace Morsel::SPH
   {
     state.particles(ratio, deviator, energy, grain_heat, pair_friction_heat);
     state.particles(penalty_energy);
-    state.same(any_failed, stale);
+    state.same(any_failed);
     if (state.loads())
       watch.forget();
     state.cache(members, member_failed, built_at);
-    state.cache(motion, member_stress, size, area, mass);
-    std::size_t n_blocks = blocks.size();
-    state.cache(n_blocks);
-    blocks.resize(n_blocks);
-    for (Block &block : blocks)
-      state.cache(block.first,
-                  block.last,
-                  block.grain_start,
-                  block.grain_pair,
-                  block.live_start,
-                  block.live_pair);
+    state.cache(motion, member_stress, size, area, mass, foreign);
+
+    // As many records on any number of ranks.
+    using Lists = std::vector<std::vector<unsigned int>>;
+    Lists plan, lists;
+    if (exchange)
+      plan = exchange->get_plan();
+    for (const Block &block : blocks)
+      lists.insert(lists.end(),
+                   {{block.first, block.last},
+                    block.grain_start,
+                    block.grain_pair,
+                    block.live_start,
+                    block.live_pair});
+    // They are of the ranks that saved them.
+    const bool there = state.cache(stale, plan, lists);
+    stale            = stale || !there;
+    if (!state.loads() || !there)
+      return;
+    if (exchange)
+      exchange->set_plan(plan);
+    blocks.clear();
+    for (unsigned int k = 0; k + 4 < lists.size(); k += 5)
+      blocks.push_back({lists[k][0],
+                        lists[k][1],
+                        lists[k + 1],
+                        lists[k + 2],
+                        lists[k + 3],
+                        lists[k + 4]});
   }
 
 
@@ -91,7 +130,7 @@ namespace Morsel::SPH
     leapfrog.exchange_state(state);
     if (fracture)
       {
-        bonds.exchange_state(state);
+        bonds.exchange_state(state, particles);
         fracture->exchange_state(state);
       }
     if (granular)

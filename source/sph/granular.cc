@@ -28,6 +28,14 @@ namespace Morsel::SPH
               constants.viscosity_beta,
               constants.contact_stiffness};
     }
+
+
+    double
+    sum_of_owned(const Particles &particles, const std::vector<double> &values)
+    {
+      return std::accumulate(
+          values.begin(), values.begin() + particles.n_owned, 0.);
+    }
   } // namespace
 
 
@@ -37,7 +45,8 @@ namespace Morsel::SPH
                      const Materials::Elasticity &material,
                      const GranularConstants     &constants,
                      const std::vector<char>     &exposed,
-                     const std::vector<double>   &contact_diameters)
+                     const std::vector<double>   &contact_diameters,
+                     const ParticleHost<2> *const ranks)
       : particles(particles)
       , bonds(bonds)
       , kernel(kernel)
@@ -57,6 +66,10 @@ namespace Morsel::SPH
       , grain_heat(particles.n_local, 0.)
       , pair_friction_heat(particles.n_local, 0.)
       , penalty_energy(particles.n_local, 0.)
+      , ranks(ranks)
+      , local(ranks ? LocalNumbers(particles.id) : LocalNumbers())
+      , exchange(ranks ? std::make_unique<MemberExchange>(ranks->communicator())
+                       : nullptr)
   {
     for (unsigned int i = 0; i < particles.n_owned; ++i)
       on_surface[i] =
@@ -76,8 +89,7 @@ namespace Morsel::SPH
         deviator[i]    = {0., 0., 0.};
         energy[i]      = grain_energy(i);
       }
-    any_failed = any_failed || !failed.empty();
-    stale      = stale || !failed.empty();
+    any_failed = stale = true;
   }
 
 
@@ -132,6 +144,8 @@ namespace Morsel::SPH
           area[m] = particles.area[i] * (member_failed[m] ? 1. / ratio[i] : 2.);
         }
     });
+    if (exchange)
+      exchange_rates_of_members();
   }
 
 
@@ -186,6 +200,8 @@ namespace Morsel::SPH
   void
   Granular::add_forces(const double time_step)
   {
+    if (stale) // from a checkpoint of another number of ranks
+      rebuild_list();
     gather_state();
     parallel_for(
         blocks.size(),
@@ -217,6 +233,8 @@ namespace Morsel::SPH
             }
         }
     });
+    if (exchange)
+      exchange_state_of_members();
   }
 
 
@@ -343,8 +361,7 @@ namespace Morsel::SPH
   {
     if (!any_failed)
       return 0.;
-    double sum =
-        std::accumulate(penalty_energy.begin(), penalty_energy.end(), 0.);
+    double sum = sum_of_owned(particles, penalty_energy);
     for (const unsigned int i : members)
       if (particles.failed[i])
         sum += energy[i];
@@ -355,8 +372,7 @@ namespace Morsel::SPH
   double
   Granular::friction_heat() const
   {
-    return std::accumulate(grain_heat.begin(), grain_heat.end(), 0.) +
-           std::accumulate(
-               pair_friction_heat.begin(), pair_friction_heat.end(), 0.);
+    return sum_of_owned(particles, grain_heat) +
+           sum_of_owned(particles, pair_friction_heat);
   }
 } // namespace Morsel::SPH

@@ -39,6 +39,7 @@ namespace Morsel::SPH
                       const unsigned int first_without_ghosts)
   {
     const unsigned int n_groups = particles.n_groups();
+    n_owned                     = particles.n_owned;
     use.assign(n_groups, 0);
     for (unsigned int g = 0; g < n_groups; ++g)
       if (fits(particles, bonds, g))
@@ -173,10 +174,10 @@ namespace Morsel::SPH
   {
     use[g] |= form;
     for (unsigned int i = g * group_size;
-         i < std::min(list.n_rows(), (g + 1) * group_size);
+         i < std::min(n_owned, (g + 1) * group_size);
          ++i)
       for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
-        if (list.index[k] < list.n_rows())
+        if (list.index[k] < n_owned)
           use[list.index[k] / group_size] |= form;
   }
 

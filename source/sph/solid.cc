@@ -3,15 +3,29 @@
 #include <morsel/sph/stable_step.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Morsel::SPH
 {
+  namespace
+  {
+    /// Of the whole body: all ranks take the same step. Collective.
+    double
+    least_mass(const Particles &particles, const ParticleHost<2> &host)
+    {
+      return host.minimum(particles.mass.empty()
+                              ? std::numeric_limits<double>::max()
+                              : particles.least_mass());
+    }
+  } // namespace
+
+
   double
   Solid::stable_time_step(const double contact_stiffness) const
   {
     // A spring of stiffness k on one particle adds k/m to the square.
     const double w2 =
-        highest_frequency + contact_stiffness / particles.least_mass();
+        highest_frequency + contact_stiffness / least_mass(particles, host);
     // What has broken is damped even where the intact body is not.
     const double g = viscosity || fracture
                          ? viscous_damping_rate(constants.viscosity_alpha_c,
@@ -49,10 +63,15 @@ namespace Morsel::SPH
     work(strain_loop, n_boundary, n);
     finish_motion();
     work(strain_loop, 0, n_boundary);
-    const auto stresses = dealii::make_array_view(particles.pair_stress);
+    const auto stresses    = dealii::make_array_view(particles.pair_stress);
+    const auto stiffnesses = dealii::make_array_view(particles.hourglass);
     host.exchange_start(stresses);
+    if (fracture)
+      host.exchange_start(stiffnesses, stiffness_channel);
     work(force_loop, n_boundary, n);
     host.exchange_finish(stresses);
+    if (fracture)
+      host.exchange_finish(stiffnesses, stiffness_channel);
     work(force_loop, 0, n_boundary);
   }
 
@@ -91,8 +110,11 @@ namespace Morsel::SPH
   void
   Solid::grow_damage(const double time_step)
   {
-    if (fracture)
-      granular->take_over(fracture->update(time_step));
+    if (!fracture)
+      return;
+    const std::vector<unsigned int> &failed = fracture->update(time_step);
+    if (fracture->any_failed_now())
+      granular->take_over(failed);
   }
 
 
@@ -103,6 +125,8 @@ namespace Morsel::SPH
     host.exchange_start(dealii::make_array_view(particles.motion),
                         motion_channel);
     motion_travels = true;
+    if (fracture)
+      finish_motion();
   }
 
 
@@ -129,7 +153,7 @@ namespace Morsel::SPH
   {
     return {particles.spacing,
             depth,
-            particles.least_mass(),
+            least_mass(particles, host),
             material.youngs_modulus,
             material.p_wave_modulus,
             kernel.h};

@@ -9,9 +9,9 @@ namespace Morsel::SPH
   namespace
   {
     double
-    sum(const std::vector<double> &x)
+    sum_of_owned(const Particles &particles, const std::vector<double> &x)
     {
-      return std::accumulate(x.begin(), x.end(), 0.);
+      return std::accumulate(x.begin(), x.begin() + particles.n_owned, 0.);
     }
   } // namespace
 
@@ -51,7 +51,7 @@ namespace Morsel::SPH
     e.viscous_heat = viscous_heat(leapfrog, particles);
     if (fracture)
       {
-        e.damage_heat   = sum(particles.damage_heat);
+        e.damage_heat   = sum_of_owned(particles, particles.damage_heat);
         e.bond_heat     = fracture->bond_heat();
         e.granular      = granular->stored_energy();
         e.friction_heat = granular->friction_heat();
@@ -132,8 +132,7 @@ namespace Morsel::SPH
   double
   Solid::neighbours_per_particle() const
   {
-    return host.sum(static_cast<double>(bonds.list.index.size())) /
-           host.n_global();
+    return host.sum(static_cast<double>(bonds.n_packed())) / host.n_global();
   }
 
 

@@ -16,15 +16,14 @@ namespace Morsel::SPH
   {
     void
     require_one_rank(const Scene::ParticleBody &body,
-                     const MPI_Comm             communicator,
-                     const std::string         &what,
-                     const std::string         &else_take)
+                     const MPI_Comm             communicator)
     {
       if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-        throw InputError("Body '" + body.name + "' " + what +
-                         ", which runs on one rank only: start the program "
-                         "without mpirun, or with 'mpirun -np 1'" +
-                         else_take + ".");
+        throw InputError("Body '" + body.name +
+                         "' takes the conforming gradient, which runs on one "
+                         "rank only: start the program without mpirun, or with "
+                         "'mpirun -np 1', or take 'Normalisation' = 'gradient "
+                         "matrix'.");
     }
   } // namespace
 
@@ -53,14 +52,8 @@ namespace Morsel::SPH
       , viscosity(body.solid.viscosity == "on" ||
                   (body.solid.viscosity == "auto" && body.damage.enabled))
   {
-    if (body.damage.enabled)
-      require_one_rank(
-          body, communicator, "can fail (Damage/Enabled = true)", "");
     if (normalisation == Normalisation::conforming)
-      require_one_rank(body,
-                       communicator,
-                       "takes the conforming gradient",
-                       ", or take 'Normalisation' = 'gradient matrix'");
+      require_one_rank(body, communicator);
     fill(body, scene.seed);
     choose_loops(body);
     highest_frequency =
@@ -302,7 +295,8 @@ namespace Morsel::SPH
         material,
         body.material.compressive_strength,
         {body.spacing * body.spacing * depth, body.spacing});
-    fracture = std::make_unique<DamageEvolution>(
+    const ParticleHost<2> *const ranks = host.is_alone() ? nullptr : &host;
+    fracture                           = std::make_unique<DamageEvolution>(
         particles,
         bonds,
         kernel,
@@ -313,7 +307,8 @@ namespace Morsel::SPH
         body.damage,
         scene.measures.friend_distance * particles.spacing,
         scene.seed,
-        strength_of_grains(body, scene.seed));
+        strength_of_grains(body, scene.seed),
+        ranks);
     granular = std::make_unique<Granular>(
         particles,
         bonds,
@@ -325,6 +320,7 @@ namespace Morsel::SPH
                           scene.contact.stiffness * material.p_wave_modulus *
                               depth},
         fracture->exposed_particles(),
-        fracture->contact_diameters());
+        fracture->contact_diameters(),
+        ranks);
   }
 } // namespace Morsel::SPH

@@ -12,7 +12,8 @@
 namespace Morsel::Measure
 {
   /// What the solid has broken into: the components of its uncut bonds, by
-  /// reference positions.
+  /// reference positions. Of the whole body on every rank, with labels of the
+  /// owned particles; collective.
   /// @param fragment_share the smallest share of the mass that counts [1]
   Fragments
   fragments_of(const SPH::Solid &solid, double fragment_share);
@@ -33,7 +34,8 @@ namespace Morsel::Measure
     explicit Breakage(const SPH::Solid                    &solid,
                       const std::vector<dealii::Point<2>> &tips = {});
 
-    /// Takes in what has failed until now. Does nothing while nothing fails.
+    /// Takes in what has failed until now, on all ranks. Does nothing while
+    /// nothing fails.
     void
     follow(double time);
 
@@ -57,7 +59,7 @@ namespace Morsel::Measure
   private:
     const SPH::Solid        &solid;
     double                   share = 0.; ///< that had failed before [1]
-    std::vector<char>        known;      ///< the particles that had
+    std::vector<char>        known;      ///< the owned particles that had
     std::optional<Failure>   first;
     std::vector<CrackGrowth> growth;
   };

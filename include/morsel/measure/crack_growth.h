@@ -30,7 +30,7 @@ namespace Morsel::Measure
     /// @param tip place of the initial tip [m]
     CrackGrowth(const SPH::Solid &solid, const dealii::Point<2> &tip);
 
-    /// Takes in what failed now.
+    /// Takes in the owned particles that failed now. Collective.
     void
     follow(double time, const std::vector<unsigned int> &newly_failed);
 
@@ -59,6 +59,7 @@ namespace Morsel::Measure
 
     /// Pieces of the crack beyond three quarters of its extension: one for a
     /// straight crack, two or more for one that has branched before.
+    /// Collective.
     unsigned int
     branch_count() const;
 
@@ -71,13 +72,19 @@ namespace Morsel::Measure
       double time, extension; ///< [s], [m]
     };
 
+    /// Takes those of @p candidates into the crack that stand by it, and what
+    /// of this rank's hangs together with them. @p farthest from the tip [m] is
+    /// kept up. @return whether there were any
+    bool
+    take_in(const std::vector<unsigned int> &candidates, double &farthest);
+
     /// Whether particle @p i stands by the crack.
     bool
     touches(unsigned int i) const;
 
     const SPH::Solid      &solid;
     const dealii::Point<2> tip;
-    std::vector<char>      is_crack; ///< by particle
+    std::vector<char>      is_crack; ///< of those that the rank knows
     std::vector<Advance>   course;
     double                 fastest = 0.;
   };

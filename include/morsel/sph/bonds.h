@@ -39,15 +39,20 @@ namespace Morsel::SPH
 
     // Only where bonds can break.
     dealii::AlignedVector<double> average; ///< W(|X_ij|) while uncut [1/m^2]
-    std::vector<unsigned int>     place;   ///< where each entry of Bonds went
+    /// Where each entry of Bonds went: those of the owned particles.
+    std::vector<unsigned int> place;
   };
 
 
-  /// Whether regular groups are searched for, see LatticeGroups.
-  struct LatticeSearch
+  struct BondOptions
   {
-    bool         wanted               = false;
-    bool         breaks               = true; ///< so that lists may be needed
+    /// Search for regular groups, see LatticeGroups.
+    bool search_lattice = false;
+    /// Some may be cut: regular groups may need their lists, and rows of
+    /// ghosts say which bonds of theirs live. Else only the owned particles
+    /// have rows.
+    bool breaks = true;
+    /// Particles before it are sent to other ranks.
     unsigned int first_without_ghosts = 0;
   };
 
@@ -83,10 +88,10 @@ namespace Morsel::SPH
 
     /// Pairs that do not see each other have no bond.
     void
-    build(const Particles  &particles,
-          const Kernel     &kernel,
-          const Visibility &visibility  = Visibility(),
-          const LatticeSearch &lattice_search = {});
+    build(const Particles   &particles,
+          const Kernel      &kernel,
+          const Visibility  &visibility = Visibility(),
+          const BondOptions &options    = {});
 
     /// The same with the conforming gradient.
     /// @param cloud the particles' in their order, on one rank
@@ -117,9 +122,21 @@ namespace Morsel::SPH
       packed.slot_end[g] = packed.near_end[g] = packed.slot_begin[g];
     }
 
-    /// Saves which bonds are cut; cuts them on loading.
+    /// Saves which bonds are cut; cuts them on loading. To be called after
+    /// @p particles has named them.
     void
-    exchange_state(StateArchive &state);
+    exchange_state(StateArchive &state, const Particles &particles);
+
+    /// Entries in the rows of the owned particles.
+    unsigned int
+    n_packed() const
+    {
+      return packed.place.size();
+    }
+
+    /// The particle whose row holds @p entry.
+    unsigned int
+    row_of(unsigned int entry) const;
 
     /// Entry of the pair (i, j), or -1 where it is not in the list.
     long
@@ -162,10 +179,10 @@ namespace Morsel::SPH
     unsigned int
     n_near(unsigned int i) const;
 
-    /// Lays out the rows and what every form has.
+    /// Lays out the rows of the owned particles and what every form has.
     /// @param all also of regular groups
     void
-    pack(bool all = true);
+    pack(unsigned int n_owned, bool all = true);
 
     /// Lays out a further quantity of the pairs.
     template <typename Value>

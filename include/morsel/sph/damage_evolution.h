@@ -4,9 +4,12 @@
 #include <morsel/core/state_archive_fwd.h>
 #include <morsel/materials/flaws.h>
 #include <morsel/sph/bonds.h>
+#include <morsel/sph/host.h>
+#include <morsel/sph/local_numbers.h>
 #include <morsel/sph/pair_loops.h>
 #include <morsel/sph/particles.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <vector>
@@ -23,6 +26,12 @@ namespace Morsel::SPH
   /// friends-of-friends finds. On scattered particles some longer bonds have
   /// no such chain from the start: nothing lies between their ends, and they
   /// are as good as short ones.
+  ///
+  /// On several ranks the owner of a particle grows its damage and decides
+  /// that it fails; all ranks that know the particle then cut its bonds. Of a
+  /// longer bond the owners of its ends decide, and tell the others which they
+  /// have cut until nobody cuts any more. Which bonds live in the end does not
+  /// depend on the order: a bond that is cut never supports another again.
   class DamageEvolution
   {
   public:
@@ -30,6 +39,8 @@ namespace Morsel::SPH
     /// @param friend_distance [m].
     /// @param strength of each particle's grain over the body's [1]; empty
     ///   where it is uniform.
+    /// @param ranks where the particles live, if on several ranks; @p bonds
+    ///   then has rows of ghosts. Collective.
     DamageEvolution(Particles                         &particles,
                     Bonds                             &bonds,
                     const Kernel                      &kernel,
@@ -40,10 +51,11 @@ namespace Morsel::SPH
                     const Materials::DamageParameters &parameters,
                     double                             friend_distance,
                     unsigned int                       seed,
-                    const std::vector<double>         &strength = {});
+                    const std::vector<double>         &strength = {},
+                    const ParticleHost<2>             *ranks    = nullptr);
 
     /// Damage growth over one step from the present stress; then cuts the
-    /// bonds of what has failed. Returns the particles that failed now.
+    /// bonds of what has failed. Returns the owned particles that failed now.
     ///
     /// The step goes from the forces of before to those of after: the energy
     /// that work and motion see leave the body is the mean of what the change
@@ -51,8 +63,16 @@ namespace Morsel::SPH
     const std::vector<unsigned int> &
     update(double time_step);
 
+    /// Whether anything failed in the last update(), on any rank.
+    bool
+    any_failed_now() const
+    {
+      return failed_anywhere;
+    }
+
     /// Energy released by the breaking of bonds so far [J]; what the cut
-    /// itself changed, as opposed to damage growth before it.
+    /// itself changed, as opposed to damage growth before it. The part of this
+    /// rank's particles.
     double
     bond_heat() const
     {
@@ -74,6 +94,7 @@ namespace Morsel::SPH
       return exposed;
     }
 
+    /// Of the whole body.
     double
     failed_share() const
     {
@@ -132,6 +153,30 @@ namespace Morsel::SPH
     void
     break_up();
 
+    /// Makes those that wait to fail the batch that fails next, on all ranks.
+    /// @return whether there are any, anywhere
+    bool
+    take_batch();
+
+    bool
+    take_batch_of_all_ranks();
+
+    /// Leaves groups out of the loops of which all particles have failed.
+    void
+    retire_group(unsigned int group);
+
+    /// What growth needs of the ghosts.
+    void
+    exchange_ghosts();
+
+    /// Bounds of the averages that ghosts take part in.
+    void
+    bound_ghosts();
+
+    /// Cuts what other ranks have cut, and what has lost its support by that.
+    void
+    agree_on_cuts();
+
     void
     release_damage(unsigned int i, double new_damage);
 
@@ -159,6 +204,10 @@ namespace Morsel::SPH
 
     void
     fail(unsigned int i);
+
+    /// Cuts longer bonds of the suspects until all have their chains.
+    void
+    clear_suspects();
 
     void
     cut_unsupported(unsigned int i);
@@ -190,16 +239,23 @@ namespace Morsel::SPH
     /// Where each flaw is followed on its own.
     std::unique_ptr<const Materials::ExplicitFlaws> flaws;
 
+    const ParticleHost<2> *const ranks; ///< null where there is but one
+    const LocalNumbers           local; ///< of all particles, on several
+
     std::vector<unsigned int> newly_failed, failed_now, suspects;
+    std::vector<unsigned int> batch; ///< that fails now, owned and ghosts
+    bool                      failed_anywhere = false;
     std::vector<Touched>      touched;
-    std::map<unsigned int, Materials::Tensor2> gradient_of_doomed;
-    std::vector<char>                          is_touched, exposed;
-    std::vector<char>                          is_direct; ///< entries of bonds
-    std::vector<double>                        contact_diameter;
-    double       time_step     = 0.; ///< the coming one [s]
-    double       heat_of_bonds = 0.;
-    double       failed_area   = 0.; ///< [m^2]
-    const double total_area;
+    /// Ends of longer bonds that this rank has cut and others know.
+    std::vector<std::array<unsigned long long, 2>> cut_pairs;
+    std::map<unsigned int, Materials::Tensor2>     gradient_of_doomed;
+    std::vector<char>                              is_touched, exposed;
+    std::vector<char>   is_direct; ///< entries of bonds
+    std::vector<double> contact_diameter;
+    double              time_step     = 0.; ///< the coming one [s]
+    double              heat_of_bonds = 0.; ///< of the owned particles [J]
+    double              failed_area   = 0.; ///< on all ranks [m^2]
+    const double        total_area;
 
     // For each group of particles.
     NeighbourList       groups_nearby;

@@ -6,11 +6,15 @@
 #include <morsel/core/state_archive_fwd.h>
 #include <morsel/materials/elasticity.h>
 #include <morsel/sph/bonds.h>
+#include <morsel/sph/host.h>
+#include <morsel/sph/local_numbers.h>
+#include <morsel/sph/member_exchange.h>
 #include <morsel/sph/pair_kernels.h>
 #include <morsel/sph/particles.h>
 
 #include <deal.II/base/aligned_vector.h>
 
+#include <memory>
 #include <vector>
 
 namespace Morsel::SPH
@@ -37,19 +41,27 @@ namespace Morsel::SPH
   /// energy agree. Unbonded particles that come closer than their contact
   /// diameter repel each other by a penalty; live ones rub with Coulomb
   /// friction.
+  ///
+  /// Grains move far from where the reference configuration had them: on
+  /// several ranks the pairs across ranks are found by present positions. Each
+  /// rank computes the forces on its own particles, both ranks of a pair from
+  /// the same numbers.
   class Granular
   {
   public:
+    /// @param ranks where the particles live, if on several ranks
     Granular(Particles                   &particles,
              const Bonds                 &bonds,
              const Kernel                &kernel,
              const Materials::Elasticity &material,
              const GranularConstants     &constants,
              const std::vector<char>     &exposed,
-             const std::vector<double>   &contact_diameters);
+             const std::vector<double>   &contact_diameters,
+             const ParticleHost<2>       *ranks = nullptr);
 
-    /// Takes over particles that have just failed: density ratio from their
-    /// deformation gradient, no deviator.
+    /// Takes over this rank's particles of those that have just failed, on
+    /// this rank or another: density ratio from their deformation gradient, no
+    /// deviator.
     void
     take_over(const std::vector<unsigned int> &failed);
 
@@ -68,12 +80,13 @@ namespace Morsel::SPH
       return any_failed;
     }
 
-    /// Recoverable energy of the grains and of penalty contacts [J].
+    /// Recoverable energy of this rank's grains and of its part of penalty
+    /// contacts [J].
     double
     stored_energy() const;
 
     /// Energy turned into heat so far [J] by grain friction and by surface
-    /// friction of unbonded pairs.
+    /// friction of unbonded pairs, this rank's part.
     double
     friction_heat() const;
 
@@ -104,18 +117,66 @@ namespace Morsel::SPH
       std::vector<unsigned int> live_start, live_pair;
     };
 
+    /// What does not change of a member of another rank between two searches.
+    struct Foreign
+    {
+      unsigned long long id;
+      dealii::Point<2>   place; ///< when the list was built [m]
+      GrainSize          size;
+      double             mass;
+      char               failed;
+    };
+
+    /// On any rank.
     bool
     moved_far();
 
     void
     rebuild_list();
 
+    /// Of contact and mass.
+    GrainSize
+    member_size(unsigned int m) const;
+
+    /// Within which pairs are listed [m].
+    double
+    largest_reach() const;
+
+    /// Members of other ranks near those of this one, and who is near whom.
+    void
+    find_foreign();
+
     void
     fill_block(Block &block) const;
+
+    /// Adds member @p n at distance^2 @p r2 to the last rows of a block, which
+    /// are those of member @p m.
+    void
+    add_pair(Block &block, unsigned int m, unsigned int n, double r2) const;
+
+    /// No bond holds these members together.
+    bool
+    unbonded(unsigned int m, unsigned int n) const;
+
+    /// The member that fills up rows, after those of all ranks.
+    unsigned int
+    dummy() const
+    {
+      return members.size() + foreign.size();
+    }
 
     /// Positions, velocities and stress of the members at the present time.
     void
     gather_state();
+
+    /// @name The same of other ranks' members.
+    ///@{
+    void
+    exchange_state_of_members();
+
+    void
+    exchange_rates_of_members();
+    ///@}
 
     void
     gather_rates(double time_step);
@@ -159,9 +220,16 @@ namespace Morsel::SPH
     std::vector<double>     grain_heat, pair_friction_heat;
     std::vector<double>     penalty_energy;
 
+    const ParticleHost<2> *const    ranks; ///< null where there is but one
+    const LocalNumbers              local; ///< of all particles, on several
+    std::unique_ptr<MemberExchange> exchange;
+
     // Unbonded pairs near each other, rebuilt when anything has moved far.
-    // Members stand cell by cell, followed by a far dummy.
+    // Members stand cell by cell, followed by those of other ranks and by a
+    // far dummy.
     std::vector<unsigned int>     members;
+    std::vector<Foreign>          foreign;
+    NeighbourList                 foreign_near; ///< of each of the members
     std::vector<char>             member_failed;
     std::vector<dealii::Point<2>> built_at;
     MovementWatch                 watch;

@@ -5,6 +5,7 @@
 #include <morsel/sph/halo.h>
 
 #include <deal.II/base/array_view.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -41,7 +42,8 @@ namespace Morsel::SPH
   ///     [n_owned(), n_local())  ghosts, grouped by owner
   ///
   /// each of the first two parts sorted by id; on one rank the numbering is
-  /// that of the ids. Every method that is not const is collective.
+  /// that of the ids. Every method that is not const is collective, and so
+  /// are exchanges.
   template <int dim>
   class ParticleHost
   {
@@ -150,13 +152,20 @@ namespace Morsel::SPH
       return mpi_communicator;
     }
 
+    /// Whether there is no other rank.
+    bool
+    is_alone() const
+    {
+      return dealii::Utilities::MPI::n_mpi_processes(mpi_communicator) == 1;
+    }
+
     /// Begins to bring owned records to the ranks that hold them as ghosts.
     /// @p all has n_local() entries; see Halo::start(). Costs nothing on one
     /// rank.
     template <typename Record>
     void
     exchange_start(const dealii::ArrayView<Record> &all,
-                   const unsigned int               channel = 0)
+                   const unsigned int               channel = 0) const
     {
       halo->start(all, channel);
     }
@@ -165,19 +174,21 @@ namespace Morsel::SPH
     template <typename Record>
     void
     exchange_finish(const dealii::ArrayView<Record> &,
-                    const unsigned int channel = 0)
+                    const unsigned int channel = 0) const
     {
       halo->finish(channel);
     }
 
-    /// Both at once.
-    template <typename Record>
+    /// Both at once, for one array or several.
+    template <typename... Record>
     void
-    exchange(std::vector<Record> &all)
+    exchange(std::vector<Record> &...all) const
     {
-      const auto view = dealii::make_array_view(all);
-      exchange_start(view);
-      exchange_finish(view);
+      static_assert(sizeof...(all) <= Halo::n_channels, "Too many at once.");
+      unsigned int channel = 0;
+      (exchange_start(dealii::make_array_view(all), channel++), ...);
+      channel = 0;
+      (exchange_finish(dealii::make_array_view(all), channel++), ...);
     }
 
     /// @name The same value on all ranks, from each rank's. Collective.

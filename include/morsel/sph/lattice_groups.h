@@ -90,7 +90,7 @@ namespace Morsel::SPH
     void
     mark_neighbours(const NeighbourList &list, unsigned int g, Use form);
 
-    unsigned int              n_regular = 0;
+    unsigned int              n_owned = 0, n_regular = 0;
     std::vector<char>         use;   ///< of each group
     std::vector<unsigned int> first; ///< neighbours of each group's first
 

@@ -36,7 +36,7 @@ namespace Morsel::SPH
           MPI_Comm                   communicator);
 
     /// The body's CFL factor times the largest stable step [s], with a
-    /// contact of @p contact_stiffness [N/m] per particle.
+    /// contact of @p contact_stiffness [N/m] per particle. Collective.
     double
     stable_time_step(double contact_stiffness) const override;
 
@@ -114,6 +114,7 @@ namespace Morsel::SPH
     void
     exchange_state(StateArchive &state) override;
 
+    /// Collective.
     ParticleSide
     contact_side() const;
 
@@ -229,7 +230,7 @@ namespace Morsel::SPH
 
     /// Ghosts' motion is on its way since advance().
     bool                          motion_travels = false;
-    static constexpr unsigned int motion_channel = 1;
+    static constexpr unsigned int motion_channel = 1, stiffness_channel = 2;
 
     std::unique_ptr<DamageEvolution> fracture;
     std::unique_ptr<Granular>        granular;

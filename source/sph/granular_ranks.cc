@@ -1,0 +1,101 @@
+// Unbonded pairs of particles of different ranks.
+
+#include <morsel/sph/granular.h>
+
+#include <numeric>
+
+namespace Morsel::SPH
+{
+  namespace
+  {
+    struct Rates
+    {
+      GrainMotion motion;
+      double      area; ///< [m^2]
+    };
+
+
+    struct State
+    {
+      GrainMotion motion;
+      GrainStress stress;
+    };
+  } // namespace
+
+
+  void
+  Granular::find_foreign()
+  {
+    const double reach = largest_reach();
+    exchange->find(built_at, grid, reach);
+    foreign.clear();
+    exchange->exchange<Foreign>(
+        [&](const unsigned int m) -> Foreign {
+          const unsigned int i = members[m];
+          return {particles.id[i],
+                  built_at[m],
+                  member_size(m),
+                  particles.mass[i],
+                  member_failed[m]};
+        },
+        [&](const unsigned int, const Foreign &f) { foreign.push_back(f); });
+    for (const Foreign &f : foreign)
+      member_failed.push_back(f.failed);
+
+    // The search is that of the plan: round the foreign ones in this rank's
+    // grid, for theirs may lie anywhere.
+    foreign_near.start.assign(members.size() + 1, 0);
+    const auto for_pairs = [&](const auto &work) {
+      for (unsigned int f = 0; f < foreign.size(); ++f)
+        grid.for_each_run(
+            foreign[f].place,
+            [&](const unsigned int begin, const unsigned int end) {
+              for (unsigned int m = begin; m < end; ++m)
+                if ((built_at[m] - foreign[f].place).norm_square() <
+                    reach * reach)
+                  work(m, f);
+            });
+    };
+    for_pairs([&](const unsigned int m, const unsigned int) {
+      ++foreign_near.start[m + 1];
+    });
+    std::partial_sum(foreign_near.start.begin(),
+                     foreign_near.start.end(),
+                     foreign_near.start.begin());
+    foreign_near.index.resize(foreign_near.start.back());
+    std::vector<unsigned int> next = foreign_near.start;
+    for_pairs([&](const unsigned int m, const unsigned int f) {
+      foreign_near.index[next[m]++] = f;
+    });
+  }
+
+
+  void
+  Granular::exchange_rates_of_members()
+  {
+    const unsigned int n = members.size();
+    exchange->exchange<Rates>(
+        [&](const unsigned int m) -> Rates {
+          return {motion[m], area[m]};
+        },
+        [&](const unsigned int f, const Rates &rates) {
+          motion[n + f] = rates.motion;
+          area[n + f]   = rates.area;
+        });
+  }
+
+
+  void
+  Granular::exchange_state_of_members()
+  {
+    const unsigned int n = members.size();
+    exchange->exchange<State>(
+        [&](const unsigned int m) -> State {
+          return {motion[m], member_stress[m]};
+        },
+        [&](const unsigned int f, const State &state) {
+          motion[n + f]        = state.motion;
+          member_stress[n + f] = state.stress;
+        });
+  }
+} // namespace Morsel::SPH
