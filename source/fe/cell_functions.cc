@@ -7,6 +7,15 @@ namespace Morsel::FE
 {
   using namespace dealii;
 
+  std::vector<types::global_dof_index>
+  dofs_of(const DoFHandler<2>::active_cell_iterator &cell)
+  {
+    std::vector<types::global_dof_index> dofs(cell->get_fe().n_dofs_per_cell());
+    cell->get_dof_indices(dofs);
+    return dofs;
+  }
+
+
   void
   CellFunctions::evaluate(const Cell                  &cell,
                           const QuadMap               &map,

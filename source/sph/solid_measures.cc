@@ -1,20 +1,9 @@
 #include <morsel/sph/solid.h>
 
 #include <cmath>
-#include <numeric>
 
 namespace Morsel::SPH
 {
-  namespace
-  {
-    double
-    sum(const std::vector<double> &x)
-    {
-      return std::accumulate(x.begin(), x.end(), 0.);
-    }
-  } // namespace
-
-
   SolidEnergies
   Solid::energies() const
   {
@@ -36,7 +25,7 @@ namespace Morsel::SPH
     e.viscous_heat = viscous_heat(leapfrog, particles);
     if (fracture)
       {
-        e.damage_heat   = sum(particles.damage_heat);
+        e.damage_heat   = sum_of(particles.damage_heat);
         e.bond_heat     = fracture->bond_heat();
         e.granular      = granular->stored_energy();
         e.friction_heat = granular->friction_heat();

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace Morsel::SPH
@@ -18,13 +17,6 @@ namespace Morsel::SPH
   {
     /// Of the list of neighbours, in spacings.
     constexpr double skin_ratio = 0.3;
-
-
-    double
-    sum(const std::vector<double> &x)
-    {
-      return std::accumulate(x.begin(), x.end(), 0.);
-    }
 
 
     /// Stress after a step of Hooke's law in the Jaumann rate, with the
@@ -285,9 +277,9 @@ namespace Morsel::SPH
   {
     SolidEnergies e;
     e.kinetic      = kinetic_energy(leapfrog, particles);
-    e.strain       = sum(stress_work);
-    e.viscous_heat = sum(particles.viscous_heat);
-    e.artificial   = sum(artificial_heat);
+    e.strain       = sum_of(stress_work);
+    e.viscous_heat = sum_of(particles.viscous_heat);
+    e.artificial   = sum_of(artificial_heat);
     return e;
   }
 

@@ -10,6 +10,11 @@
 
 namespace Morsel::FE
 {
+  /// The degrees of freedom of a cell, in the order of its element's functions.
+  std::vector<dealii::types::global_dof_index>
+  dofs_of(const dealii::DoFHandler<2>::active_cell_iterator &cell);
+
+
   /// The scalar functions of one cell, enriched ones included, at given
   /// points: value and global gradient. Rows: points; columns: functions in
   /// the order of LocalNumbering.
