@@ -128,14 +128,18 @@ namespace Morsel::FE
         const QuadMap         map = make_map(cell);
         const LocalNumbering &n = space->get_numbering(cell->active_fe_index());
         const CellQuadrature  q = functions.quadrature(cell, map, 1);
+        const Eigen::MatrixXd stiffness =
+            properties.depth * element_stiffness(functions,
+                                                 cell,
+                                                 map,
+                                                 n,
+                                                 q,
+                                                 material,
+                                                 enrichment_regularisation);
         functions.evaluate(cell, map, q.points, q.reference);
         use({cell->center(),
              dofs_of(cell),
-             properties.depth * element_stiffness(functions,
-                                                  n,
-                                                  q.weights,
-                                                  material,
-                                                  enrichment_regularisation),
+             stiffness,
              properties.depth * properties.density *
                  element_mass(functions, n, q.weights)});
       }

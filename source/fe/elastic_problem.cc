@@ -290,10 +290,13 @@ namespace Morsel::FE
         if (cell->at_boundary())
           add_traction(cell, map, rhs);
         const auto compute = [&]() {
-          const CellQuadrature q = functions.quadrature(cell, map, 0);
-          functions.evaluate(cell, map, q.points, q.reference);
-          return element_stiffness(
-              functions, n, q.weights, material, enrichment_regularisation);
+          return element_stiffness(functions,
+                                   cell,
+                                   map,
+                                   n,
+                                   functions.quadrature(cell, map, 0),
+                                   material,
+                                   enrichment_regularisation);
         };
         const CellEnrichment &e =
             space.get_enrichment(cell->active_cell_index());

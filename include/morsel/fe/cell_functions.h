@@ -79,7 +79,6 @@ namespace Morsel::FE
     add_tip(const unsigned int                   first,
             const unsigned int                   tip,
             const std::array<double, 4>         &ramp,
-            const QuadMap                       &map,
             const std::vector<dealii::Point<2>> &points,
             const std::vector<dealii::Point<2>> &reference);
 
@@ -94,6 +93,8 @@ namespace Morsel::FE
     const XFEMSpace &space;
     Eigen::MatrixXd  value, dx, dy;
     Eigen::MatrixXd  table, d_xi, d_eta; ///< scratch: reference derivatives
+    /// Scratch: dxi/dx, dxi/dy, deta/dx, deta/dy of each point [1/m].
+    Eigen::ArrayX4d inverse;
   };
 
 
@@ -103,14 +104,16 @@ namespace Morsel::FE
   inline constexpr double enrichment_regularisation = 1e-12;
 
 
-  /// Element stiffness in the cell's dofs from the functions' gradients.
+  /// Element stiffness in the cell's dofs; evaluates the functions as it goes.
   /// @param regularisation relative stiffness added to the enriched
   ///   functions' diagonal; bounds the condition number where a crack leaves
   ///   a sliver
   Eigen::MatrixXd
-  element_stiffness(const CellFunctions          &functions,
+  element_stiffness(CellFunctions                &functions,
+                    const CellFunctions::Cell    &cell,
+                    const QuadMap                &map,
                     const LocalNumbering         &numbering,
-                    const std::vector<double>    &weights,
+                    const CellQuadrature         &quadrature,
                     const Fracture::ElasticPlane &material,
                     const double                  regularisation);
 } // namespace Morsel::FE
