@@ -15,12 +15,39 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>
 
+#include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <string>
+#include <vector>
 
 namespace
 {
   using namespace Morsel;
+
+  /// Whether this process is no rank of an mpirun, whose PMI would have said
+  /// so.
+  bool
+  is_started_alone()
+  {
+    for (const char *variable :
+         {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+      if (std::getenv(variable))
+        return false;
+    return true;
+  }
+
+
+  /// Whether words are asked for that need no rank to agree on them.
+  bool
+  asks_for_words_only(const int argc, char **argv)
+  {
+    if (argc != 2)
+      return false;
+    const std::string option = argv[1];
+    return option == "--version" || option == "--help" || option == "-h";
+  }
+
 
   Scene::ParameterFormat
   parameter_format(const std::string &name)
@@ -110,6 +137,18 @@ namespace
 int
 main(int argc, char **argv)
 {
+  if (is_started_alone())
+    {
+      if (asks_for_words_only(argc, argv))
+        {
+          std::cout << read_command_line({argv[1]}).message << std::flush;
+          return 0;
+        }
+      // OpenMPI else starts a daemon, in case this process should want to start
+      // others: 0.06 s.
+      ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+    }
+
   // Every core of the machine, shared among its ranks, unless told otherwise.
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(
       argc, argv, dealii::numbers::invalid_unsigned_int);

@@ -1,5 +1,7 @@
 #include "run_summary.h"
 
+#include <morsel/core/build.h>
+
 #include <deal.II/base/config.h>
 #include <deal.II/base/multithread_info.h>
 #include <deal.II/base/utilities.h>

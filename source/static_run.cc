@@ -51,7 +51,7 @@ namespace Morsel
 
 
     std::vector<Output::Effect>
-    effects_of(const Scene::Scene &scene)
+    effects_of_equilibrium(const Scene::Scene &scene)
     {
       std::vector<Output::Effect> effects = {
           {"static equilibrium at small strain", true, "Time/Solution", 0.}};
@@ -275,7 +275,7 @@ namespace Morsel
     log << scene.title << '\n';
     for (const std::string &advice : scene.warnings)
       log.warning(advice);
-    log << Output::effects_as_text(effects_of(scene));
+    log << Output::effects_as_text(effects_of_equilibrium(scene));
 
     Output::Summary summary;
     for (const auto &body : bodies)
@@ -314,7 +314,7 @@ namespace Morsel
     summary.add_text("kind", "static equilibrium");
     add_provenance(
         summary, scene.title, scene.name, scene.parameters_hash, MPI_COMM_SELF);
-    for (const Output::Effect &effect : effects_of(scene))
+    for (const Output::Effect &effect : effects_of_equilibrium(scene))
       summary.add_effect(effect);
     summary.write(options.output_directory + "/summary.json");
   }
@@ -325,7 +325,7 @@ namespace Morsel
   {
     Prediction prediction;
     prediction.scene   = scene.name;
-    prediction.effects = Output::effects_as_text(effects_of(scene));
+    prediction.effects = Output::effects_as_text(effects_of_equilibrium(scene));
     prediction.advice  = scene.warnings;
     const Costs costs;
     double      n = 0., seconds = 0.;

@@ -1,4 +1,5 @@
 #include <morsel/calibrate/outcome.h>
+#include <morsel/core/build.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/materials/catalogue.h>
 #include <morsel/study/optional_json.h>

@@ -1,3 +1,4 @@
+#include <morsel/core/build.h>
 #include <morsel/core/command_line.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/suggestions.h>

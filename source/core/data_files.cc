@@ -1,3 +1,4 @@
+#include <morsel/core/build.h>
 #include <morsel/core/data_files.h>
 #include <morsel/core/errors.h>
 

@@ -1,8 +1,8 @@
 #include <morsel/core/vtu.h>
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <numeric>
 #include <sstream>
@@ -11,6 +11,27 @@ namespace Morsel
 {
   namespace
   {
+    /// Three bytes in four characters (RFC 4648). deal.II's does a bit at a
+    /// time and took a tenth of a plate's run.
+    std::string
+    base64(const std::vector<unsigned char> &bytes)
+    {
+      constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrst"
+                                "uvwxyz0123456789+/";
+      std::string    text((bytes.size() + 2) / 3 * 4, '=');
+      for (std::size_t i = 0, out = 0; i < bytes.size(); i += 3, out += 4)
+        {
+          const std::size_t   n = std::min<std::size_t>(3, bytes.size() - i);
+          const std::uint32_t triple = bytes[i] << 16 |
+                                       (n > 1 ? bytes[i + 1] << 8 : 0) |
+                                       (n > 2 ? bytes[i + 2] : 0);
+          for (std::size_t k = 0; k <= n; ++k)
+            text[out + k] = digits[triple >> (18 - 6 * k) & 63];
+        }
+      return text;
+    }
+
+
     /// One array: its length in bytes and its bytes, in base64.
     template <typename T>
     void
@@ -28,8 +49,7 @@ namespace Morsel
       std::copy(data, data + n_bytes, bytes.begin() + sizeof(n_bytes));
       out << "<DataArray type=\"" << type << "\" Name=\"" << name
           << "\" NumberOfComponents=\"" << n_components
-          << "\" format=\"binary\">" << dealii::Utilities::encode_base64(bytes)
-          << "</DataArray>\n";
+          << "\" format=\"binary\">" << base64(bytes) << "</DataArray>\n";
     }
   } // namespace
 

@@ -1,11 +1,21 @@
 #include <morsel/fe/cell_functions.h>
 #include <morsel/fracture/tip_fields.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Morsel::FE
 {
   using namespace dealii;
+
+  std::vector<types::global_dof_index>
+  dofs_of(const DoFHandler<2>::active_cell_iterator &cell)
+  {
+    std::vector<types::global_dof_index> dofs(cell->get_fe().n_dofs_per_cell());
+    cell->get_dof_indices(dofs);
+    return dofs;
+  }
+
 
   void
   CellFunctions::evaluate(const Cell                  &cell,
@@ -20,14 +30,19 @@ namespace Morsel::FE
     dy.resize(points.size(), n.n_scalar);
 
     space.get_basis(n.degree).evaluate(reference, table, d_xi, d_eta);
+    inverse.resize(points.size(), 4);
     for (unsigned int q = 0; q < points.size(); ++q)
       {
-        const Tensor<2, 2> inverse  = invert(map.jacobian(reference[q]));
-        value.row(q).head(n.n_base) = table.row(q);
-        dx.row(q).head(n.n_base) =
-            inverse[0][0] * d_xi.row(q) + inverse[1][0] * d_eta.row(q);
-        dy.row(q).head(n.n_base) =
-            inverse[0][1] * d_xi.row(q) + inverse[1][1] * d_eta.row(q);
+        const Tensor<2, 2> i = invert(map.jacobian(reference[q]));
+        inverse.row(q) << i[0][0], i[0][1], i[1][0], i[1][1];
+      }
+    value.leftCols(n.n_base) = table;
+    for (unsigned int i = 0; i < n.n_base; ++i)
+      {
+        dx.col(i).array() = inverse.col(0) * d_xi.col(i).array() +
+                            inverse.col(2) * d_eta.col(i).array();
+        dy.col(i).array() = inverse.col(1) * d_xi.col(i).array() +
+                            inverse.col(3) * d_eta.col(i).array();
       }
 
     unsigned int first = n.n_base;
@@ -43,7 +58,7 @@ namespace Morsel::FE
     for (unsigned int s = 0; s < CellEnrichment::max_slots; ++s)
       if (e.tip[s] != CellEnrichment::none)
         {
-          add_tip(first, e.tip[s], e.ramp[s], map, points, reference);
+          add_tip(first, e.tip[s], e.ramp[s], points, reference);
           first += 4 * n.n_tip;
         }
   }
@@ -55,15 +70,15 @@ namespace Morsel::FE
                           const Fracture::Crack       *crack,
                           const std::vector<Point<2>> &points)
   {
-    const unsigned int n = table.cols();
-    for (unsigned int q = 0; q < points.size(); ++q)
+    Eigen::ArrayXd H = Eigen::ArrayXd::Constant(points.size(), side);
+    if (crack != nullptr)
+      for (unsigned int q = 0; q < points.size(); ++q)
+        H(q) = crack->signed_distance(points[q]) < 0. ? -1. : 1.;
+    for (unsigned int i = 0; i < table.cols(); ++i)
       {
-        const double H                 = crack == nullptr ? side
-                                         : crack->signed_distance(points[q]) < 0. ? -1.
-                                                                                  : 1.;
-        value.row(q).segment(first, n) = H * value.row(q).head(n);
-        dx.row(q).segment(first, n)    = H * dx.row(q).head(n);
-        dy.row(q).segment(first, n)    = H * dy.row(q).head(n);
+        value.col(first + i).array() = H * value.col(i).array();
+        dx.col(first + i).array()    = H * dx.col(i).array();
+        dy.col(first + i).array()    = H * dy.col(i).array();
       }
   }
 
@@ -72,7 +87,6 @@ namespace Morsel::FE
   CellFunctions::add_tip(const unsigned int           first,
                          const unsigned int           tip,
                          const std::array<double, 4> &ramp,
-                         const QuadMap               &map,
                          const std::vector<Point<2>> &points,
                          const std::vector<Point<2>> &reference)
   {
@@ -80,27 +94,39 @@ namespace Morsel::FE
     Eigen::MatrixXd             tip_table, tip_xi, tip_eta;
     space.get_basis(parameters.tip_degree)
         .evaluate(reference, tip_table, tip_xi, tip_eta);
-    const unsigned int n = tip_table.cols();
+    // Value and two derivatives of each product, by columns.
+    Eigen::ArrayXXd RF(points.size(), 12);
     for (unsigned int q = 0; q < points.size(); ++q)
       {
-        const Tensor<2, 2> inverse = invert(map.jacobian(reference[q]));
-        const auto         RF =
-            blended_tip_functions(tip, ramp, inverse, points[q], reference[q]);
+        const auto at_point = blended_tip_functions(
+            tip,
+            ramp,
+            Tensor<2, 2>({{inverse(q, 0), inverse(q, 1)},
+                          {inverse(q, 2), inverse(q, 3)}}),
+            points[q],
+            reference[q]);
         for (unsigned int k = 0; k < 4; ++k)
           {
-            const unsigned int c = first + k * n;
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                const double Nx = inverse[0][0] * tip_xi(q, i) +
-                                  inverse[1][0] * tip_eta(q, i);
-                const double Ny = inverse[0][1] * tip_xi(q, i) +
-                                  inverse[1][1] * tip_eta(q, i);
-                value(q, c + i) = RF[k].value * tip_table(q, i);
-                dx(q, c + i) =
-                    RF[k].value * Nx + RF[k].gradient[0] * tip_table(q, i);
-                dy(q, c + i) =
-                    RF[k].value * Ny + RF[k].gradient[1] * tip_table(q, i);
-              }
+            RF(q, 3 * k)     = at_point[k].value;
+            RF(q, 3 * k + 1) = at_point[k].gradient[0];
+            RF(q, 3 * k + 2) = at_point[k].gradient[1];
+          }
+      }
+    const unsigned int n = tip_table.cols();
+    Eigen::ArrayXd     Nx, Ny;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const auto N = tip_table.col(i).array();
+        Nx           = inverse.col(0) * tip_xi.col(i).array() +
+             inverse.col(2) * tip_eta.col(i).array();
+        Ny = inverse.col(1) * tip_xi.col(i).array() +
+             inverse.col(3) * tip_eta.col(i).array();
+        for (unsigned int k = 0; k < 4; ++k)
+          {
+            const unsigned int c = first + k * n + i;
+            value.col(c).array() = RF.col(3 * k) * N;
+            dx.col(c).array()    = RF.col(3 * k) * Nx + RF.col(3 * k + 1) * N;
+            dy.col(c).array()    = RF.col(3 * k) * Ny + RF.col(3 * k + 2) * N;
           }
       }
   }
@@ -256,21 +282,45 @@ namespace Morsel::FE
 
 
   Eigen::MatrixXd
-  element_stiffness(const CellFunctions          &functions,
+  element_stiffness(CellFunctions                &functions,
+                    const CellFunctions::Cell    &cell,
+                    const QuadMap                &map,
                     const LocalNumbering         &numbering,
-                    const std::vector<double>    &weights,
+                    const CellQuadrature         &quadrature,
                     const Fracture::ElasticPlane &material,
                     const double                  regularisation)
   {
-    const Eigen::MatrixXd &dx = functions.d_x(), &dy = functions.d_y();
-    const Eigen::Map<const Eigen::VectorXd> w(weights.data(), weights.size());
-    const Eigen::MatrixXd                   wx  = w.asDiagonal() * dx;
-    const Eigen::MatrixXd                   wy  = w.asDiagonal() * dy;
-    const Eigen::MatrixXd                   xx  = dx.transpose() * wx;
-    const Eigen::MatrixXd                   yy  = dy.transpose() * wy;
-    const Eigen::MatrixXd                   xy  = dx.transpose() * wy;
-    const double                            mu  = material.mu;
-    const double                            lam = material.lambda;
+    // Integrals of the products of two derivatives. Of the first two, which
+    // are symmetric, only the lower half; points in blocks that stay in the
+    // cache: about a tip there are thousands.
+    constexpr unsigned int block = 128;
+    const unsigned int     m     = numbering.n_scalar;
+    Eigen::MatrixXd        xx = Eigen::MatrixXd::Zero(m, m), yy = xx, xy = xx;
+    Eigen::MatrixXd        wx, wy;
+    for (unsigned int first = 0; first < quadrature.points.size();
+         first += block)
+      {
+        const auto n_points =
+            std::min<std::size_t>(block, quadrature.points.size() - first);
+        const auto part = [&](const std::vector<Point<2>> &all) {
+          return std::vector<Point<2>>(all.begin() + first,
+                                       all.begin() + first + n_points);
+        };
+        functions.evaluate(
+            cell, map, part(quadrature.points), part(quadrature.reference));
+        const Eigen::MatrixXd &dx = functions.d_x(), &dy = functions.d_y();
+        const Eigen::Map<const Eigen::VectorXd> w(&quadrature.weights[first],
+                                                  n_points);
+        wx = w.asDiagonal() * dx;
+        wy = w.asDiagonal() * dy;
+        xx.triangularView<Eigen::Lower>() += dx.transpose() * wx;
+        yy.triangularView<Eigen::Lower>() += dy.transpose() * wy;
+        xy.noalias() += dx.transpose() * wy;
+      }
+    xx.triangularView<Eigen::StrictlyUpper>() = xx.transpose();
+    yy.triangularView<Eigen::StrictlyUpper>() = yy.transpose();
+    const double mu                           = material.mu;
+    const double lam                          = material.lambda;
 
     const unsigned int n = numbering.function.size();
     Eigen::MatrixXd    K(n, n);

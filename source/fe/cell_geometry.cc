@@ -106,40 +106,43 @@ namespace Morsel::FE
     value.resize(nq, n * n);
     d_xi.resize(nq, n * n);
     d_eta.resize(nq, n * n);
-    // Lagrange polynomials as running products from both sides.
-    std::vector<double> v(2 * n), d(2 * n), left(n + 1), dleft(n + 1),
-        right(n + 1), dright(n + 1);
-    for (unsigned int q = 0; q < nq; ++q)
+    // Lagrange polynomials as running products from both sides, at all points
+    // at once: columns lie in memory one after another.
+    Eigen::ArrayXXd v(nq, 2 * n), d(nq, 2 * n), left(nq, n + 1),
+        dleft(nq, n + 1), right(nq, n + 1), dright(nq, n + 1);
+    Eigen::ArrayXd x(nq);
+    for (unsigned int c = 0; c < 2; ++c)
       {
-        for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int q = 0; q < nq; ++q)
+          x(q) = points[q][c];
+        left.col(0)   = 1.;
+        right.col(n)  = 1.;
+        dleft.col(0)  = 0.;
+        dright.col(n) = 0.;
+        for (unsigned int i = 0; i < n; ++i)
           {
-            const double x = points[q][c];
-            left[0] = right[n] = 1.;
-            dleft[0] = dright[n] = 0.;
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                left[i + 1]  = left[i] * (x - nodes[i]);
-                dleft[i + 1] = dleft[i] * (x - nodes[i]) + left[i];
-              }
-            for (unsigned int i = n; i-- > 0;)
-              {
-                right[i]  = right[i + 1] * (x - nodes[i]);
-                dright[i] = dright[i + 1] * (x - nodes[i]) + right[i + 1];
-              }
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                v[c * n + i] = scale[i] * left[i] * right[i + 1];
-                d[c * n + i] = scale[i] * (dleft[i] * right[i + 1] +
-                                           left[i] * dright[i + 1]);
-              }
+            left.col(i + 1)  = left.col(i) * (x - nodes[i]);
+            dleft.col(i + 1) = dleft.col(i) * (x - nodes[i]) + left.col(i);
           }
-        for (unsigned int k = 0; k < n * n; ++k)
+        for (unsigned int i = n; i-- > 0;)
           {
-            const unsigned int i = numbering[k] % n, j = numbering[k] / n;
-            value(q, k) = v[i] * v[n + j];
-            d_xi(q, k)  = d[i] * v[n + j];
-            d_eta(q, k) = v[i] * d[n + j];
+            right.col(i) = right.col(i + 1) * (x - nodes[i]);
+            dright.col(i) =
+                dright.col(i + 1) * (x - nodes[i]) + right.col(i + 1);
           }
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            v.col(c * n + i) = scale[i] * left.col(i) * right.col(i + 1);
+            d.col(c * n + i) = scale[i] * (dleft.col(i) * right.col(i + 1) +
+                                           left.col(i) * dright.col(i + 1));
+          }
+      }
+    for (unsigned int k = 0; k < n * n; ++k)
+      {
+        const unsigned int i = numbering[k] % n, j = numbering[k] / n;
+        value.col(k) = v.col(i) * v.col(n + j);
+        d_xi.col(k)  = d.col(i) * v.col(n + j);
+        d_eta.col(k) = v.col(i) * d.col(n + j);
       }
   }
 } // namespace Morsel::FE

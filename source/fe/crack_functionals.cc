@@ -13,16 +13,6 @@ namespace Morsel::FE
     using Triplets = std::vector<Eigen::Triplet<double>>;
 
 
-    std::vector<types::global_dof_index>
-    dofs_of(const DoFHandler<2>::active_cell_iterator &cell)
-    {
-      std::vector<types::global_dof_index> dofs(
-          cell->get_fe().n_dofs_per_cell());
-      cell->get_dof_indices(dofs);
-      return dofs;
-    }
-
-
     /// What one point of a ring adds to K_I and K_II per unit of each
     /// component of the gradient there [Pa sqrt(m)].
     using WeightOfGradient = std::array<Tensor<2, 2>, 2>;

@@ -17,7 +17,6 @@ namespace Morsel::FE
 
   namespace
   {
-    constexpr unsigned int none = PhantomNodes::none;
 
     /// ML drops couplings below this share of the diagonal's geometric mean
     /// when it aggregates; 0.05 keeps the condition number of quadratic
@@ -228,7 +227,7 @@ namespace Morsel::FE
           const types::global_dof_index d   = list[k].dofs[c];
           const unsigned int            row = 2 * k + c;
           place_of_row.push_back(d == numbers::invalid_dof_index
-                                     ? none
+                                     ? PhantomNodes::none
                                      : owned.index_within_set(d));
           if (d != numbers::invalid_dof_index)
             slots.row_of_dof(d) = first + row + 1.;
@@ -287,11 +286,12 @@ namespace Morsel::FE
   NodalMultigrid::add_correction(Vector &z, const Vector &r) const
   {
     for (unsigned int row = 0; row < place_of_row.size(); ++row)
-      input.begin()[row] =
-          place_of_row[row] == none ? 0. : r.begin()[place_of_row[row]];
+      input.begin()[row] = place_of_row[row] == PhantomNodes::none
+                               ? 0.
+                               : r.begin()[place_of_row[row]];
     cycle.vmult(output, input);
     for (unsigned int row = 0; row < place_of_row.size(); ++row)
-      if (place_of_row[row] != none)
+      if (place_of_row[row] != PhantomNodes::none)
         z.begin()[place_of_row[row]] += output.begin()[row];
   }
 

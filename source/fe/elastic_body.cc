@@ -15,21 +15,6 @@ namespace Morsel::FE
     using Cell = DoFHandler<2>::active_cell_iterator;
 
 
-    /// Vertices of a face, counter-clockwise about the cell.
-    constexpr std::array<std::array<unsigned int, 2>, 4> face_vertices = {
-        {{{2, 0}}, {{1, 3}}, {{0, 1}}, {{3, 2}}}};
-
-
-    std::vector<types::global_dof_index>
-    dofs_of(const Cell &cell)
-    {
-      std::vector<types::global_dof_index> dofs(
-          cell->get_fe().n_dofs_per_cell());
-      cell->get_dof_indices(dofs);
-      return dofs;
-    }
-
-
     /// Consistent mass of unit density and depth, in the cell's dofs.
     Eigen::MatrixXd
     element_mass(const CellFunctions       &functions,
@@ -143,14 +128,18 @@ namespace Morsel::FE
         const QuadMap         map = make_map(cell);
         const LocalNumbering &n = space->get_numbering(cell->active_fe_index());
         const CellQuadrature  q = functions.quadrature(cell, map, 1);
+        const Eigen::MatrixXd stiffness =
+            properties.depth * element_stiffness(functions,
+                                                 cell,
+                                                 map,
+                                                 n,
+                                                 q,
+                                                 material,
+                                                 enrichment_regularisation);
         functions.evaluate(cell, map, q.points, q.reference);
         use({cell->center(),
              dofs_of(cell),
-             properties.depth * element_stiffness(functions,
-                                                  n,
-                                                  q.weights,
-                                                  material,
-                                                  enrichment_regularisation),
+             stiffness,
              properties.depth * properties.density *
                  element_mass(functions, n, q.weights)});
       }

@@ -16,20 +16,10 @@ namespace Morsel::FE
 
   namespace
   {
-    /// Vertices of a face, counter-clockwise with respect to the cell.
-    std::array<unsigned int, 2>
-    face_vertices(const unsigned int face)
-    {
-      constexpr std::array<std::array<unsigned int, 2>, 4> vertices = {
-          {{{2, 0}}, {{1, 3}}, {{0, 1}}, {{3, 2}}}};
-      return vertices[face];
-    }
-
-
     Tensor<1, 2>
     outward_normal(const QuadMap &map, const unsigned int face)
     {
-      const auto         v = face_vertices(face);
+      const auto         v = face_vertices[face];
       const Tensor<1, 2> t =
           map.get_vertices()[v[1]] - map.get_vertices()[v[0]];
       return Tensor<1, 2>({t[1], -t[0]}) / t.norm();
@@ -43,7 +33,7 @@ namespace Morsel::FE
                   const std::vector<Fracture::Crack> &cracks,
                   const unsigned int                  n)
   {
-    const auto          v      = face_vertices(face);
+    const auto          v      = face_vertices[face];
     const Point<2>      a      = map.get_vertices()[v[0]];
     const Tensor<1, 2>  t      = map.get_vertices()[v[1]] - a;
     std::vector<double> limits = {0., 1.};
@@ -300,10 +290,13 @@ namespace Morsel::FE
         if (cell->at_boundary())
           add_traction(cell, map, rhs);
         const auto compute = [&]() {
-          const CellQuadrature q = functions.quadrature(cell, map, 0);
-          functions.evaluate(cell, map, q.points, q.reference);
-          return element_stiffness(
-              functions, n, q.weights, material, enrichment_regularisation);
+          return element_stiffness(functions,
+                                   cell,
+                                   map,
+                                   n,
+                                   functions.quadrature(cell, map, 0),
+                                   material,
+                                   enrichment_regularisation);
         };
         const CellEnrichment &e =
             space.get_enrichment(cell->active_cell_index());

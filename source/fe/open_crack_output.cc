@@ -95,31 +95,26 @@ namespace Morsel::FE
       }
 
       void
-      add_piece(const Polygon                                   &piece,
-                const std::vector<Fracture::DisplacementSample> &samples,
-                const unsigned int                               cell,
-                const unsigned int                               enrichment,
-                const unsigned int                               degree)
+      add_piece(const Polygon                      &piece,
+                const Fracture::DisplacementSample *samples,
+                const unsigned int                  cell,
+                const unsigned int                  enrichment,
+                const unsigned int                  degree)
       {
+        auto &displacement = grid.point_field("displacement", 3);
+        auto &stress       = grid.point_field("stress_xx_yy_zz_xy", 4);
+        auto &equivalent   = grid.point_field("von_mises_stress", 1);
+        auto &distance     = grid.point_field("distance_over_ring", 1);
         for (unsigned int i = 0; i < piece.size(); ++i)
           {
             const auto   s  = material.stress(samples[i].gradient);
             const double zz = material.out_of_plane_stress(s);
+            const auto  &u  = samples[i].value;
             grid.add_point(piece[i][0], piece[i][1]);
-            auto append = [&](const char *name, const auto &values) {
-              auto &field = grid.point_field(name, values.size());
-              field.insert(field.end(), values.begin(), values.end());
-            };
-            append("displacement",
-                   std::array<double, 3>{
-                       {samples[i].value[0], samples[i].value[1], 0.}});
-            append("stress_xx_yy_zz_xy",
-                   std::array<double, 4>{{s[0][0], s[1][1], zz, s[0][1]}});
-            append("von_mises_stress",
-                   std::array<double, 1>{{von_mises(s, zz)}});
-            append("distance_over_ring",
-                   std::array<double, 1>{
-                       {in_units_of_ring(piece[i], results, tips)}});
+            displacement.insert(displacement.end(), {u[0], u[1], 0.});
+            stress.insert(stress.end(), {s[0][0], s[1][1], zz, s[0][1]});
+            equivalent.push_back(von_mises(s, zz));
+            distance.push_back(in_units_of_ring(piece[i], results, tips));
           }
         grid.add_cell(VtuGrid::Shape::polygon, piece.size());
         grid.cell_field("cell", 1).push_back(cell);
@@ -215,6 +210,9 @@ namespace Morsel::FE
             space.get_numbering(cell->active_fe_index()).degree;
         const unsigned int k =
             divisions_of(map, divisions, tips, space.get_tips());
+        // All pieces' corners are sampled together.
+        std::vector<Polygon>  pieces;
+        std::vector<Point<2>> corners, reference;
         for (unsigned int part = 0; part < k * k; ++part)
           {
             const double x = (part % k) / double(k), y = (part / k) / double(k);
@@ -223,22 +221,30 @@ namespace Morsel::FE
                                     map.to_physical(Point<2>(x + w, y)),
                                     map.to_physical(Point<2>(x + w, y + w)),
                                     map.to_physical(Point<2>(x, y + w))};
-            const auto    pieces =
-                e.cut ? cut_into_pieces(square, space.get_cracks())
-                         : std::vector<Polygon>(1, square);
-            for (const Polygon &piece : pieces)
-              {
-                const auto            corners = inside_corners(piece);
-                std::vector<Point<2>> reference;
-                for (const Point<2> &p : corners)
-                  reference.push_back(map.to_reference(p));
-                grid.add_piece(piece,
-                               functions.sample(
-                                   cell, map, coefficients, corners, reference),
-                               cell->active_cell_index(),
-                               kind_of(e),
-                               degree);
-              }
+            if (!e.cut)
+              pieces.push_back(square);
+            else
+              for (const Polygon &piece :
+                   cut_into_pieces(square, space.get_cracks()))
+                pieces.push_back(piece);
+          }
+        for (const Polygon &piece : pieces)
+          for (const Point<2> &p : inside_corners(piece))
+            {
+              corners.push_back(p);
+              reference.push_back(map.to_reference(p));
+            }
+        const auto samples =
+            functions.sample(cell, map, coefficients, corners, reference);
+        std::size_t first = 0;
+        for (const Polygon &piece : pieces)
+          {
+            grid.add_piece(piece,
+                           &samples[first],
+                           cell->active_cell_index(),
+                           kind_of(e),
+                           degree);
+            first += piece.size();
           }
       }
     return grid.text();

@@ -173,7 +173,7 @@ namespace Morsel::FE
 
 
   const PlateResults &
-  PlateProblem::run()
+  PlateProblem::solve()
   {
     solve_once();
     for (unsigned int step = 0; step < parameters.adaptive_steps; ++step)
@@ -197,6 +197,14 @@ namespace Morsel::FE
                                 ? 0.5 * problem->traction_work(solution)
                                 : problem->strain_energy(solution);
     results.external_work = 2. * results.strain_energy;
+    return results;
+  }
+
+
+  const PlateResults &
+  PlateProblem::run()
+  {
+    solve();
     Timer timer;
     results.tips.clear();
     for (unsigned int t = 0; t < space->get_tips().size(); ++t)
@@ -245,14 +253,13 @@ namespace Morsel::FE
         PlateParameters grown = parameters;
         grown.adaptive_steps  = 0;
         grown.ring_radius     = 0.;
-        grown.two_directions  = false;
         std::vector<Fracture::Crack> cracks;
         for (const Fracture::Crack &crack : make_cracks(parameters))
           cracks.push_back(crack.with_moved_tips(i * da));
         Triangulation<2> triangulation(
             Triangulation<2>::limit_level_difference_at_vertices);
         PlateProblem problem(grown, cracks, triangulation);
-        energies[i] = problem.run().strain_energy;
+        energies[i] = problem.solve().strain_energy;
       }
     const Fracture::ElasticPlane material(parameters.youngs_modulus,
                                           parameters.poissons_ratio,

@@ -10,21 +10,15 @@ namespace Morsel::FE
 {
   using namespace dealii;
 
-  namespace
-  {
-    constexpr unsigned int max_slots = CellEnrichment::max_slots;
-    constexpr int          none      = CellEnrichment::none;
-  } // namespace
-
-
   bool
   XFEMSpace::has_slot(const DoFHandler<2>::cell_iterator &cell,
                       const unsigned int                  kind,
                       const int                           member) const
   {
     const CellEnrichment &e = enrichments[cell->active_cell_index()];
-    return (kind <= max_slots ? e.jump_crack[kind - 1]
-                              : e.tip[kind - 1 - max_slots]) == member;
+    return (kind <= CellEnrichment::max_slots
+                ? e.jump_crack[kind - 1]
+                : e.tip[kind - 1 - CellEnrichment::max_slots]) == member;
   }
 
 
@@ -75,9 +69,9 @@ namespace Morsel::FE
         dofs.resize(n.kind.size());
         cell->get_dof_indices(dofs);
 
-        for (unsigned int s = 0; s < max_slots; ++s)
+        for (unsigned int s = 0; s < CellEnrichment::max_slots; ++s)
           {
-            if (e.jump_crack[s] == none)
+            if (e.jump_crack[s] == CellEnrichment::none)
               continue;
             const auto [area_left, area_right] = areas_beside_crack(cell, s);
             const bool outside                 = !is_core(cell, s);
@@ -94,12 +88,13 @@ namespace Morsel::FE
           }
 
         const FiniteElement<2> &fe = cell->get_fe();
-        for (unsigned int k = 1; k <= 2 * max_slots; ++k)
+        for (unsigned int k = 1; k <= 2 * CellEnrichment::max_slots; ++k)
           {
-            const int member =
-                k <= max_slots ? e.jump_crack[k - 1] : e.tip[k - 1 - max_slots];
-            if (member == none ||
-                (k > max_slots && tip_parameters[member].ramp))
+            const int member = k <= CellEnrichment::max_slots
+                                   ? e.jump_crack[k - 1]
+                                   : e.tip[k - 1 - CellEnrichment::max_slots];
+            if (member == CellEnrichment::none ||
+                (k > CellEnrichment::max_slots && tip_parameters[member].ramp))
               continue;
             for (const unsigned int f : cell->face_indices())
               if (is_outer_face(cell, f, k, member))
@@ -151,8 +146,8 @@ namespace Morsel::FE
   {
     const CellEnrichment &e      = enrichments[cell->active_cell_index()];
     const unsigned int    degree = numberings[cell->active_fe_index()].degree;
-    for (unsigned int s = 0; s < max_slots; ++s)
-      if (e.tip[s] != none &&
+    for (unsigned int s = 0; s < CellEnrichment::max_slots; ++s)
+      if (e.tip[s] != CellEnrichment::none &&
           static_cast<int>(tips[e.tip[s]].crack) == e.jump_crack[slot] &&
           tip_parameters[e.tip[s]].tip_degree >= degree &&
           std::all_of(e.ramp[s].begin(), e.ramp[s].end(), [](const double r) {
@@ -206,7 +201,7 @@ namespace Morsel::FE
             const types::global_dof_index d = dofs[i];
             if (n.kind[i] == 0 || constraints.is_constrained(d))
               continue;
-            const bool   jump = n.kind[i] <= max_slots;
+            const bool   jump = n.kind[i] <= CellEnrichment::max_slots;
             const double left = fields.left(d), right = fields.right(d);
             if (fields.forbidden(d) > 0. ||
                 (jump &&

@@ -15,12 +15,6 @@ namespace Morsel::FE
 {
   using namespace dealii;
 
-  namespace
-  {
-    constexpr unsigned int max_slots = CellEnrichment::max_slots;
-  } // namespace
-
-
   XFEMSpace::XFEMSpace(const Triangulation<2>                  &triangulation,
                        const std::vector<Fracture::Crack>      &cracks,
                        const std::vector<EnrichmentParameters> &tip_parameters)
@@ -56,7 +50,7 @@ namespace Morsel::FE
   XFEMSpace::build_collection(const std::vector<unsigned int> &degrees)
   {
     // One member per pair of degree and mask that occurs on any rank.
-    constexpr unsigned int n_masks = 1u << (2 * max_slots);
+    constexpr unsigned int n_masks = 1u << (2 * CellEnrichment::max_slots);
     std::set<unsigned int> keys;
     for (const auto &cell : triangulation->active_cell_iterators())
       if (cell->is_locally_owned())
@@ -87,11 +81,11 @@ namespace Morsel::FE
         bases.emplace(degree, LagrangeBasis(degree));
         std::vector<const FiniteElement<2> *> parts(1, &fe);
         std::vector<unsigned int>             copies(1, 2);
-        for (unsigned int s = 0; s < 2 * max_slots; ++s)
+        for (unsigned int s = 0; s < 2 * CellEnrichment::max_slots; ++s)
           if ((any_mask >> s) & 1u)
             {
               const bool used = (mask >> s) & 1u;
-              const bool tip  = s >= max_slots;
+              const bool tip  = s >= CellEnrichment::max_slots;
               parts.push_back(
                   !used ? static_cast<const FiniteElement<2> *>(&nothing)
                   : tip ? &tip_fe
@@ -132,10 +126,11 @@ namespace Morsel::FE
     unsigned int              base = 1;
     std::vector<unsigned int> kinds(fe.n_base_elements(), 0),
         starts(fe.n_base_elements(), 0);
-    for (unsigned int s = 0; s < 2 * max_slots && base < fe.n_base_elements();
+    for (unsigned int s = 0;
+         s < 2 * CellEnrichment::max_slots && base < fe.n_base_elements();
          ++s)
       {
-        const bool tip       = s >= max_slots;
+        const bool tip       = s >= CellEnrichment::max_slots;
         const bool has_place = fe.element_multiplicity(base) == (tip ? 8 : 2);
         const bool used      = (mask >> s) & 1u;
         const bool empty     = fe.base_element(base).n_dofs_per_cell() == 0;

@@ -4,6 +4,8 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -84,6 +86,22 @@ namespace Morsel::Fracture
       out.precision(12);
       out << header << '\n';
       return out;
+    }
+
+
+    /// A comma and what the table's stream would write of the value, in a third
+    /// of its time: 24,000 numbers tell the stress about a tip.
+    void
+    write_next(std::ostringstream &out, const double value)
+    {
+      std::array<char, 32> text;
+      text[0]        = ',';
+      const auto end = std::to_chars(text.data() + 1,
+                                     text.data() + text.size(),
+                                     value,
+                                     std::chars_format::general,
+                                     12);
+      out.write(text.data(), end.ptr - text.data());
     }
   } // namespace
 
@@ -219,12 +237,13 @@ namespace Morsel::Fracture
                                           result.statistics.mean.mode_I,
                                           result.statistics.mean.mode_II,
                                           points[i]);
-        out << result.tip << ',' << places[i].r << ','
-            << places[i].angle * 180. / numbers::PI;
+        out << result.tip;
+        write_next(out, places[i].r);
+        write_next(out, places[i].angle * 180. / numbers::PI);
         for (const auto &gradient : {samples[i].gradient, field.gradient})
           for (const double s :
                polar_stress(tip, material.stress(gradient), places[i].angle))
-            out << ',' << s;
+            write_next(out, s);
         out << '\n';
       }
     return out.str();

@@ -1,14 +1,14 @@
 #include <morsel/core/errors.h>
 #include <morsel/materials/damage.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 
 namespace Morsel::Materials
 {
   namespace
   {
-    constexpr double pi = 3.14159265358979323846;
-
     Driver
     driver_named(const std::string &name)
     {
@@ -94,10 +94,11 @@ namespace Morsel::Materials
     // alpha^(1/3) of T3-54 with k eps^m = (s / r0)^m / V.
     const double m           = weibull_modulus;
     const double crack_speed = 0.4 * elasticity.wave_speed;
-    growth_rate =
-        (m + 3.) / 3. * crack_speed *
-        std::cbrt(8. * pi / ((m + 1.) * (m + 2.) * (m + 3.) * particle.volume));
-    flaw_speed = crack_speed / std::cbrt(3. * particle.volume / (4. * pi));
+    growth_rate              = (m + 3.) / 3. * crack_speed *
+                  std::cbrt(8. * dealii::numbers::PI /
+                            ((m + 1.) * (m + 2.) * (m + 3.) * particle.volume));
+    flaw_speed = crack_speed /
+                 std::cbrt(3. * particle.volume / (4. * dealii::numbers::PI));
   }
 
 

@@ -1,17 +1,12 @@
 #include <morsel/materials/flaws.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace Morsel::Materials
 {
-  namespace
-  {
-    constexpr double pi = 3.14159265358979323846;
-
-  } // namespace
-
-
   double
   counter_uniform(const unsigned int seed, const std::uint64_t index)
   {
@@ -35,7 +30,8 @@ namespace Morsel::Materials
     // particles.
     const double a = counter_uniform(seed ^ 0x5bd1e995U, index);
     const double b = counter_uniform(seed ^ 0x1b873593U, index);
-    return std::sqrt(-2. * std::log(a)) * std::cos(2. * pi * b);
+    return std::sqrt(-2. * std::log(a)) *
+           std::cos(2. * dealii::numbers::PI * b);
   }
 
 

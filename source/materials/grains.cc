@@ -1,6 +1,7 @@
 #include <morsel/materials/flaws.h>
 #include <morsel/materials/grains.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/patterns.h>
 
 #include <cmath>
@@ -11,8 +12,6 @@ namespace Morsel::Materials
 {
   namespace
   {
-    constexpr double pi = 3.14159265358979323846;
-
     /// Streams of random numbers, apart from that of the flaws.
     enum Stream : unsigned int
     {
@@ -60,7 +59,7 @@ namespace Morsel::Materials
   GrainField::GrainField(const GrainParameters &parameters,
                          const double           poissons_ratio,
                          const unsigned int     seed)
-      : side(0.5 * std::sqrt(pi) * parameters.size)
+      : side(0.5 * std::sqrt(dealii::numbers::PI) * parameters.size)
       , seed(seed)
       , modulus{(homogenisation_exponent(poissons_ratio) - 0.5) *
                     std::log1p(parameters.modulus_scatter *

@@ -1,4 +1,5 @@
 #include <morsel/core/atomic_file.h>
+#include <morsel/core/build.h>
 #include <morsel/core/failure.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/output/checkpoint.h>

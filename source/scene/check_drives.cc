@@ -14,7 +14,7 @@ namespace Morsel::Scene
     /// What another kind of motion would take. Printed parameters give every
     /// entry, so that what is left at its default says nothing.
     void
-    check_entries(const PlateBody &plate, Findings &findings)
+    check_motion_entries(const PlateBody &plate, Findings &findings)
     {
       const Jaw::MotionParameters &motion = plate.motion;
       const struct
@@ -185,7 +185,7 @@ namespace Morsel::Scene
   {
     for (const PlateBody &plate : scene.plate_bodies)
       {
-        check_entries(plate, findings);
+        check_motion_entries(plate, findings);
         check_needed(plate, findings);
         check_response(plate, findings);
       }

@@ -14,7 +14,7 @@ namespace Morsel::Scene
     /// What another kind of shape would take. Printed parameters give every
     /// entry, so that what is left at its default says nothing.
     void
-    check_entries(const ParticleBody &body, Findings &findings)
+    check_shape_entries(const ParticleBody &body, Findings &findings)
     {
       const BodyShape &shape = body.shape;
       const struct
@@ -35,7 +35,7 @@ namespace Morsel::Scene
 
 
     void
-    check_entries(const PlateBody &body, Findings &findings)
+    check_shape_entries(const PlateBody &body, Findings &findings)
     {
       const PlateShape &shape = body.shape;
       if (shape.is_mesh())
@@ -175,7 +175,7 @@ namespace Morsel::Scene
     std::vector<Solid> solids;
     for (const ParticleBody &body : scene.particle_bodies)
       {
-        check_entries(body, findings);
+        check_shape_entries(body, findings);
         solids.push_back({body.name,
                           &body.shape,
                           false,
@@ -186,7 +186,7 @@ namespace Morsel::Scene
       }
     for (const PlateBody &body : scene.plate_bodies)
       {
-        check_entries(body, findings);
+        check_shape_entries(body, findings);
         solids.push_back({body.name,
                           &body.shape,
                           true,

@@ -2,7 +2,6 @@
 #include <morsel/sph/solid.h>
 
 #include <cmath>
-#include <numeric>
 
 namespace Morsel::SPH
 {

@@ -20,13 +20,6 @@ namespace Morsel::SPH
     constexpr double skin_ratio = 0.3;
 
 
-    double
-    sum(const std::vector<double> &x)
-    {
-      return std::accumulate(x.begin(), x.end(), 0.);
-    }
-
-
     /// Stress after a step of Hooke's law in the Jaumann rate, with the
     /// velocity gradient L of the half step: the old stress turned by the
     /// step's rotation (I - dt W/2)^-1 (I + dt W/2), plus dt C : D.
@@ -285,9 +278,9 @@ namespace Morsel::SPH
   {
     SolidEnergies e;
     e.kinetic      = kinetic_energy(leapfrog, particles);
-    e.strain       = sum(stress_work);
-    e.viscous_heat = sum(particles.viscous_heat);
-    e.artificial   = sum(artificial_heat);
+    e.strain       = sum_of(stress_work);
+    e.viscous_heat = sum_of(particles.viscous_heat);
+    e.artificial   = sum_of(artificial_heat);
     return e;
   }
 

@@ -1,4 +1,5 @@
 #include <morsel/core/atomic_file.h>
+#include <morsel/core/build.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/log.h>
 #include <morsel/core/parameters.h>
@@ -103,7 +104,7 @@ namespace Morsel::Study
     }
 
 
-    struct Reading
+    struct CollectionReading
     {
       Collection                  collection;
       dealii::ParameterHandler    prm;
@@ -113,7 +114,7 @@ namespace Morsel::Study
 
     /// Overrides of the section Study are for the parts.
     void
-    read(Reading                        &reading,
+    read(CollectionReading              &reading,
          const std::string              &file_name,
          const std::vector<std::string> &overrides)
     {
@@ -137,7 +138,8 @@ namespace Morsel::Study
     /// With the parts' full paths, so that used.prm means the same wherever it
     /// lies.
     std::string
-    used_parameters(Reading &reading, const std::vector<std::string> &files)
+    used_parameters(CollectionReading              &reading,
+                    const std::vector<std::string> &files)
     {
       std::string list;
       for (const std::string &file : files)
@@ -275,7 +277,7 @@ namespace Morsel::Study
                         const std::string              &file_name,
                         const std::vector<std::string> &overrides)
   {
-    Reading reading;
+    CollectionReading reading;
     read(reading, file_name, overrides);
     if (format == "json")
       return parameters_as_json(reading.prm);
@@ -288,7 +290,7 @@ namespace Morsel::Study
   run_collection(const CommandLine &command_line)
   {
     refuse_several_ranks();
-    Reading reading;
+    CollectionReading reading;
     read(reading, command_line.scene_file, command_line.overrides);
     const Collection              &collection = reading.collection;
     const std::vector<std::string> files =

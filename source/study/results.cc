@@ -1,3 +1,4 @@
+#include <morsel/core/build.h>
 #include <morsel/study/claims.h>
 #include <morsel/study/findings.h>
 #include <morsel/study/optional_json.h>

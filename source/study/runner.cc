@@ -1,4 +1,5 @@
 #include <morsel/core/atomic_file.h>
+#include <morsel/core/build.h>
 #include <morsel/core/errors.h>
 #include <morsel/core/signals.h>
 #include <morsel/study/runner.h>

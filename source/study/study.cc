@@ -71,7 +71,7 @@ namespace Morsel::Study
                                : series.entries + "; " + series.quick_entries;
     }
 
-    struct Reading
+    struct StudyReading
     {
       Study                    study;
       dealii::ParameterHandler prm;
@@ -79,7 +79,7 @@ namespace Morsel::Study
 
     /// So that used.prm means the same wherever it lies.
     void
-    name_base_scenes_absolutely(Reading &reading)
+    name_base_scenes_absolutely(StudyReading &reading)
     {
       const fs::path folder = fs::path(reading.study.file).parent_path();
       for (const DeclaredParameter &parameter :
@@ -95,7 +95,7 @@ namespace Morsel::Study
     }
 
     void
-    read(Reading                        &reading,
+    read(StudyReading                   &reading,
          const std::string              &file_name,
          const std::vector<std::string> &overrides)
     {
@@ -189,7 +189,7 @@ namespace Morsel::Study
   read_study(const std::string              &file_name,
              const std::vector<std::string> &overrides)
   {
-    Reading reading;
+    StudyReading reading;
     read(reading, file_name, overrides);
     Study study = reading.study;
     if (study.axes.empty() && study.series.empty() &&
@@ -237,7 +237,7 @@ namespace Morsel::Study
                    const std::string              &file_name,
                    const std::vector<std::string> &overrides)
   {
-    Reading reading;
+    StudyReading reading;
     read(reading, file_name, overrides);
     if (reading.study.name.empty())
       reading.prm.set("Name", fs::path(file_name).stem().string());

@@ -10,6 +10,11 @@
 
 namespace Morsel::FE
 {
+  /// The degrees of freedom of a cell, in the order of its element's functions.
+  std::vector<dealii::types::global_dof_index>
+  dofs_of(const dealii::DoFHandler<2>::active_cell_iterator &cell);
+
+
   /// The scalar functions of one cell, enriched ones included, at given
   /// points: value and global gradient. Rows: points; columns: functions in
   /// the order of LocalNumbering.
@@ -74,7 +79,6 @@ namespace Morsel::FE
     add_tip(const unsigned int                   first,
             const unsigned int                   tip,
             const std::array<double, 4>         &ramp,
-            const QuadMap                       &map,
             const std::vector<dealii::Point<2>> &points,
             const std::vector<dealii::Point<2>> &reference);
 
@@ -89,6 +93,8 @@ namespace Morsel::FE
     const XFEMSpace &space;
     Eigen::MatrixXd  value, dx, dy;
     Eigen::MatrixXd  table, d_xi, d_eta; ///< scratch: reference derivatives
+    /// Scratch: dxi/dx, dxi/dy, deta/dx, deta/dy of each point [1/m].
+    Eigen::ArrayX4d inverse;
   };
 
 
@@ -98,14 +104,16 @@ namespace Morsel::FE
   inline constexpr double enrichment_regularisation = 1e-12;
 
 
-  /// Element stiffness in the cell's dofs from the functions' gradients.
+  /// Element stiffness in the cell's dofs; evaluates the functions as it goes.
   /// @param regularisation relative stiffness added to the enriched
   ///   functions' diagonal; bounds the condition number where a crack leaves
   ///   a sliver
   Eigen::MatrixXd
-  element_stiffness(const CellFunctions          &functions,
+  element_stiffness(CellFunctions                &functions,
+                    const CellFunctions::Cell    &cell,
+                    const QuadMap                &map,
                     const LocalNumbering         &numbering,
-                    const std::vector<double>    &weights,
+                    const CellQuadrature         &quadrature,
                     const Fracture::ElasticPlane &material,
                     const double                  regularisation);
 } // namespace Morsel::FE

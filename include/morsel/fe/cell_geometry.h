@@ -11,6 +11,11 @@
 
 namespace Morsel::FE
 {
+  /// Vertices of a cell's faces, counter-clockwise about the cell.
+  constexpr std::array<std::array<unsigned int, 2>, 4> face_vertices = {
+      {{{2, 0}}, {{1, 3}}, {{0, 1}}, {{3, 2}}}};
+
+
   /// The bilinear map of a straight-sided quadrilateral (deal.II's MappingQ1)
   /// with its inverse, cheap enough to be built for every cell.
   class QuadMap

@@ -56,6 +56,10 @@ namespace Morsel::FE
     const PlateResults &
     run();
 
+    /// Everything but the stress intensities.
+    const PlateResults &
+    solve();
+
     /// Distributes the unknowns on the first mesh, without solving.
     void
     set_up();

@@ -9,11 +9,20 @@
 #include <deal.II/base/point.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace Morsel::SPH
 {
+  /// What all particles of this rank have of a quantity.
+  inline double
+  sum_of(const std::vector<double> &quantity)
+  {
+    return std::accumulate(quantity.begin(), quantity.end(), 0.);
+  }
+
+
   /// State of all particles of one body that this rank knows: first the
   /// owned ones, then the ghosts. Structure of arrays.
   struct Particles
