@@ -333,6 +333,19 @@ namespace Morsel
   }
 
 
+  double
+  Bite::masses_times_speeds() const
+  {
+    double sum = 0.;
+    for (const auto &solid : solids)
+      sum += SPH::half_step_masses_times_speeds(solid->get_particles());
+    for (const auto &plate : plates)
+      if (const auto *const deformation = plate.get_deformation())
+        sum += deformation->masses_times_speeds();
+    return dealii::Utilities::MPI::sum(sum, communicator);
+  }
+
+
   std::vector<dealii::Tensor<1, 2>>
   Bite::impulses() const
   {

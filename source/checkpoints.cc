@@ -3,6 +3,8 @@
 #include <morsel/core/failure.h>
 #include <morsel/core/signals.h>
 
+#include <algorithm>
+
 namespace Morsel
 {
   Checkpoints::Checkpoints(const Scene::Scene &scene,
@@ -57,39 +59,46 @@ namespace Morsel
   }
 
 
-  Checkpoints::Wish
-  Checkpoints::wish_of_all()
+  bool
+  Checkpoints::is_due(const unsigned long long step)
   {
-    Wish wish = Wish::nothing;
+    // Ranks have to agree, which costs as much as a small step.
+    if (several_ranks && step % steps_between_wishes != 0)
+      return false;
     if (interrupt_requested())
       wish = Wish::stop;
     else if (take_checkpoint_request())
-      wish = Wish::checkpoint;
+      wish = std::max(wish, Wish::checkpoint);
     else if (const double interval = 60. * scene.output.checkpoint_interval;
              interval > 0. &&
              std::chrono::duration<double>(Clock::now() - last).count() >
                  interval)
-      wish = Wish::checkpoint;
-    return static_cast<Wish>(
+      wish = std::max(wish, Wish::checkpoint);
+    wish = static_cast<Wish>(
         dealii::Utilities::MPI::max(static_cast<int>(wish), communicator));
+    return wish != Wish::nothing;
   }
 
 
   void
-  Checkpoints::write(const unsigned long long step,
-                     const double             time,
-                     const std::string       &state)
+  Checkpoints::save(StateArchive            &state,
+                    const unsigned long long step,
+                    const double             time)
   {
     const auto timer = log->section("checkpoints");
+    log->exchange_state(state);
     try
       {
-        folder.write({scene.name, scene.used_parameters, step, time}, state);
+        folder.write({scene.name, scene.used_parameters, step, time},
+                     state.buffer());
       }
     catch (const FileError &error)
       {
         throw FileError(error.what() + advice());
       }
     last = Clock::now();
+    if (wish == Wish::checkpoint)
+      wish = Wish::nothing;
   }
 
 

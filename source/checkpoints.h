@@ -13,7 +13,8 @@ namespace Morsel
 {
   /// When a run in time saves its state, and how it goes on from one.
   ///
-  /// The state is that between a step and the next evaluation of forces.
+  /// The state is that between a step and the next evaluation of forces; the
+  /// run sees to it that it is a good one.
   class Checkpoints
   {
   public:
@@ -37,46 +38,33 @@ namespace Morsel
     }
 
     /// Brings a run that has just been set up to where it was.
-    /// @param run with exchange_state(), step() and time()
+    /// @param run with load(StateArchive &), step() and time()
     template <typename Run>
     void
     restore(Run &run)
     {
-      run.exchange_state(loaded);
+      run.load(loaded);
       log->exchange_state(loaded);
       finish_loading();
       log_beginning(run.step(), run.time());
     }
 
-    /// Saves the state where it is time to, or somebody asks for it; call it
-    /// after every step. Collective.
-    /// @return whether the run has to end because it is interrupted
-    template <typename Run>
+    /// Whether the state is to be saved: it is time to, or somebody has asked
+    /// for it since the last save. Collective, after every step.
     bool
-    after_step(Run &run)
+    is_due(unsigned long long step);
+
+    /// Whether the run has to end then, because it is interrupted.
+    bool
+    ends_run() const
     {
-      // Ranks have to agree, which costs as much as a small step.
-      if (several_ranks && run.step() % steps_between_wishes != 0)
-        return false;
-      const Wish wish = wish_of_all();
-      if (wish != Wish::nothing)
-        save(run);
       return wish == Wish::stop;
     }
 
-    /// Saves the state now; collective.
-    template <typename Run>
+    /// Saves a state; collective.
+    /// @param state as load() of the run takes it, to which the log is added
     void
-    save(Run &run)
-    {
-      StateArchive state;
-      {
-        const auto timer = log->section("checkpoints");
-        run.exchange_state(state);
-        log->exchange_state(state);
-      }
-      write(run.step(), run.time(), state.buffer());
-    }
+    save(StateArchive &state, unsigned long long step, double time);
 
     /// The newest, as it can be named to the user; empty if there is none.
     const std::string &
@@ -97,12 +85,6 @@ namespace Morsel
       stop
     };
 
-    Wish
-    wish_of_all();
-
-    void
-    write(unsigned long long step, double time, const std::string &state);
-
     void
     finish_loading();
 
@@ -120,7 +102,8 @@ namespace Morsel
     Output::CheckpointFolder folder;
     StateArchive             loaded;
     std::vector<std::string> complaints;
-    RunLog                  *log = nullptr;
+    RunLog                  *log  = nullptr;
+    Wish                     wish = Wish::nothing; ///< of any rank
     Clock::time_point        last;
   };
 } // namespace Morsel

@@ -112,6 +112,16 @@ namespace Morsel
   }
 
 
+  double
+  Experiment::masses_times_speeds() const
+  {
+    double sum = 0.;
+    for (const auto &solid : solids)
+      sum += SPH::half_step_masses_times_speeds(solid->get_particles());
+    return sum;
+  }
+
+
   std::vector<dealii::Tensor<1, 2>>
   Experiment::impulses() const
   {

@@ -73,6 +73,10 @@ namespace Morsel
     dealii::Tensor<1, 2>
     momentum() const;
 
+    /// Sum over all that momentum() is of [kg m/s].
+    double
+    masses_times_speeds() const;
+
     /// Impulses of the conditions [N s].
     std::vector<dealii::Tensor<1, 2>>
     impulses() const;

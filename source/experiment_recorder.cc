@@ -67,7 +67,7 @@ namespace Morsel
       , log(log)
       , breaking(scene, experiment)
       , energy(experiment.energies())
-      , momentum(experiment.momentum())
+      , momentum(experiment.momentum(), experiment.masses_times_speeds())
   {
     log.begin_loop();
     for (const auto &observer : scene.observers)
@@ -188,7 +188,9 @@ namespace Morsel
     const Measure::Energies e            = experiment.energies();
     const double            energy_error = energy.record(e, 0.);
     const double            momentum_error =
-        momentum.record(experiment.momentum(), experiment.impulses());
+        momentum.record(experiment.momentum(),
+                        experiment.masses_times_speeds(),
+                        experiment.impulses());
     breaking.note(e);
     double spacing = 2.;
     for (const auto &body : experiment.bodies())

@@ -166,7 +166,7 @@ namespace Morsel
       , first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       , stroke(stroke_settings(scene, bite.closing_axis()))
       , energy(bite.energies())
-      , momentum(bite.momentum())
+      , momentum(bite.momentum(), bite.masses_times_speeds())
       , drives(bite)
       , history_due(scene.output.history_samples,
                     2. * interesting_time(scene, bite.closing_axis()) /
@@ -260,8 +260,8 @@ namespace Morsel
     last_strain                   = e.strain;
     last_kinetic                  = e.kinetic;
     const double error            = energy.record(e, stroke.mean_force());
-    const double momentum_error =
-        momentum.record(bite.momentum(), bite.impulses());
+    const double momentum_error   = momentum.record(
+        bite.momentum(), bite.masses_times_speeds(), bite.impulses());
     deepest          = std::max(deepest, bite.deepest_penetration());
     most_inverted    = std::max(most_inverted, bite.food().inverted_count());
     last_sample_time = bite.time();

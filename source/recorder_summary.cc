@@ -274,11 +274,12 @@ namespace Morsel
                 energy.largest_error(),
                 "1",
                 "the same at its worst");
-    summary.add("momentum_error",
-                momentum.largest_error(),
-                "1",
-                "change of linear momentum that the plates' impulses do not "
-                "explain over the largest term");
+    summary.add(
+        "momentum_error",
+        momentum.largest_error(),
+        "1",
+        "change of linear momentum that the plates' impulses do not "
+        "explain over the largest sum of masses times speeds or impulse");
   }
 
 

@@ -49,6 +49,24 @@ namespace Morsel
   StepControl::exchange_state(StateArchive &state)
   {
     state.same(tried, failure, from_earlier);
+    for (auto *const kept : {&last, &earlier})
+      {
+        bool present = kept->has_value();
+        state.same(present);
+        if (state.loads())
+          kept->reset();
+        if (!present)
+          continue;
+        if (state.loads())
+          kept->emplace();
+        RunState &good = **kept;
+        if (!state.cache(good.system,
+                         good.recorder,
+                         good.time,
+                         good.step,
+                         good.time_step))
+          kept->reset();
+      }
   }
 
 

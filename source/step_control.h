@@ -73,7 +73,8 @@ namespace Morsel
       from_earlier = false;
     }
 
-    /// What has been tried; the good states are kept anew.
+    /// What has been tried, and the good states. These cannot be given to
+    /// another number of ranks: there is none then.
     void
     exchange_state(StateArchive &state);
 

@@ -69,10 +69,10 @@ namespace Morsel
     LoopReport
     run();
 
-    /// @name What a checkpoint is of.
+    /// @name Of the run that a checkpoint is loaded into.
     ///@{
     void
-    exchange_state(StateArchive &state);
+    load(StateArchive &state);
 
     unsigned long long
     step() const
@@ -117,7 +117,8 @@ namespace Morsel
     std::optional<Finding>
     check_energy(const Measure::Energies &energies);
 
-    /// One step and what follows it. @param interrupted is set
+    /// One step. States are kept and saved once the guards have found them
+    /// good; a checkpoint that is due waits for that. @param interrupted is set
     std::optional<Finding>
     take_step(bool &interrupted);
 
@@ -135,6 +136,14 @@ namespace Morsel
 
     RunState
     state();
+
+    /// What has to be kept of the loop itself.
+    void
+    exchange_state(StateArchive &state);
+
+    /// @param good state that the guards have found so
+    void
+    save(const RunState &good);
 
     /// @param time_step to go on with [s]
     void
@@ -164,7 +173,6 @@ namespace Morsel
     std::unique_ptr<Guards>   guards;
     StepControl               control;
     std::unique_ptr<Recorder> recorder;
-    std::optional<RunState>   candidate; ///< a state that is not checked yet
     std::optional<Suspicion>  suspicion;
     unsigned long long        energy_known = 0; ///< step of the last check
     LoopReport                report;
@@ -226,7 +234,18 @@ namespace Morsel
         at_first = state();
         system->evaluate();
       }
-    control.keep(std::move(at_first));
+    if (!control.last_good())
+      control.keep(std::move(at_first));
+  }
+
+
+  template <typename System, typename Recorder>
+  void
+  TimeLoop<System, Recorder>::load(StateArchive &state)
+  {
+    system->exchange_state(state);
+    recorder->exchange_state(state);
+    exchange_state(state);
   }
 
 
@@ -234,10 +253,20 @@ namespace Morsel
   void
   TimeLoop<System, Recorder>::exchange_state(StateArchive &state)
   {
-    system->exchange_state(state);
-    recorder->exchange_state(state);
     control.exchange_state(state);
     state.same(report.step_retries, report.first_time_step);
+  }
+
+
+  template <typename System, typename Recorder>
+  void
+  TimeLoop<System, Recorder>::save(const RunState &good)
+  {
+    StateArchive archive;
+    archive.append(good.system);
+    archive.append(good.recorder);
+    exchange_state(archive);
+    checkpoints->save(archive, good.step, good.time);
   }
 
 
@@ -250,9 +279,6 @@ namespace Morsel
     std::optional<Finding> finding     = check(true);
     for (;;)
       {
-        if (!finding && candidate && !suspicion)
-          control.keep(std::move(*candidate));
-        candidate.reset();
         if (!finding && !interrupted)
           finding = follow();
         const bool finished = !finding && recorder->finished();
@@ -279,10 +305,22 @@ namespace Morsel
   TimeLoop<System, Recorder>::take_step(bool &interrupted)
   {
     system->advance();
-    interrupted = checkpoints && checkpoints->after_step(*this);
-    if (control.wants_state(system->step()))
-      candidate = state();
-    return evaluate_and_check(candidate.has_value());
+    const bool keeps = control.wants_state(system->step());
+    const bool saves = checkpoints && checkpoints->is_due(system->step());
+    if (!keeps && !saves)
+      return evaluate_and_check(false);
+    RunState   now     = state();
+    const auto finding = evaluate_and_check(true);
+    if (finding || suspicion)
+      return finding;
+    if (keeps)
+      control.keep(saves ? RunState(now) : std::move(now));
+    if (saves)
+      {
+        save(now);
+        interrupted = checkpoints->ends_run();
+      }
+    return {};
   }
 
 
@@ -450,7 +488,7 @@ namespace Morsel
     if (checkpoints)
       try
         {
-          checkpoints->save(*this);
+          save(good);
           text << ", which is kept in '" << checkpoints->newest() << "'";
         }
       catch (const FileError &)

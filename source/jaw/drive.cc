@@ -126,16 +126,6 @@ namespace Morsel::Jaw
   }
 
 
-  std::vector<Muscle::State>
-  HingeDrive::muscle_states(const double time) const
-  {
-    std::vector<Muscle::State> states;
-    for (const auto &muscle : muscles)
-      states.push_back(muscle.at(time, position(), rate()));
-    return states;
-  }
-
-
   double
   HingeDrive::actuator_damping() const
   {

@@ -1,5 +1,7 @@
 #include <morsel/jaw/dynamic_deformation.h>
 
+#include <cmath>
+
 namespace Morsel::Jaw
 {
   namespace
@@ -173,5 +175,17 @@ namespace Morsel::Jaw
       p[c] = mass_of_ones[c].dot(half_velocity) +
              mass_of_ones[c].dot(ones[c]) * last_drive.velocity_before[c];
     return p;
+  }
+
+
+  double
+  DynamicDeformation::masses_times_speeds() const
+  {
+    if (!first_rank)
+      return 0.;
+    const Eigen::VectorXd v = half_velocity +
+                              last_drive.velocity_before[0] * ones[0] +
+                              last_drive.velocity_before[1] * ones[1];
+    return std::sqrt(mass_of_ones[0].dot(ones[0]) * v.dot(body->mass() * v));
   }
 } // namespace Morsel::Jaw

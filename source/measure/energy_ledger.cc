@@ -118,18 +118,20 @@ namespace Morsel::Measure
   }
 
 
-  MomentumLedger::MomentumLedger(const dealii::Tensor<1, 2> &initial)
+  MomentumLedger::MomentumLedger(const dealii::Tensor<1, 2> &initial,
+                                 const double masses_times_speeds)
       : initial(initial)
-      , largest(initial.norm())
+      , largest(masses_times_speeds)
   {}
 
 
   double
-  MomentumLedger::record(const dealii::Tensor<1, 2>              &momentum,
+  MomentumLedger::record(const dealii::Tensor<1, 2> &momentum,
+                         const double                masses_times_speeds,
                          const std::vector<dealii::Tensor<1, 2>> &impulses)
   {
     dealii::Tensor<1, 2> unexplained = momentum - initial;
-    largest                          = std::max(largest, momentum.norm());
+    largest                          = std::max(largest, masses_times_speeds);
     for (const auto &impulse : impulses)
       {
         unexplained -= impulse;

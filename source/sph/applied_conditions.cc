@@ -1,62 +1,10 @@
-#include <morsel/core/errors.h>
-#include <morsel/core/suggestions.h>
 #include <morsel/sph/applied_conditions.h>
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Morsel::SPH
 {
-  namespace
-  {
-    /// By which prescribed velocities may be missed, over the largest of the
-    /// particles that are held.
-    constexpr double largest_miss = 1e-3;
-
-    /// Sweeps leave no more than this share of the first gap. Where held sides
-    /// meet at a corner they end slowly, but conditions that contradict each
-    /// other go on missing by as much as they differ.
-    constexpr double largest_remainder = 0.5;
-
-
-    /// Corrects accelerations until all prescribed velocities hold. Conditions
-    /// that meet at a corner share particles: Gauss-Seidel on reactions.
-    /// @throws NumericalError where conditions contradict each other
-    void
-    hold(const std::vector<std::unique_ptr<AppliedCondition>> &conditions,
-         Particles                                            &particles,
-         const double                                          kick)
-    {
-      constexpr unsigned int most_sweeps = 500;
-      double                 first_gap   = 0.;
-      for (unsigned int sweep = 0; sweep < most_sweeps; ++sweep)
-        {
-          AppliedCondition::Gap largest{0., 0.};
-          for (auto &condition : conditions)
-            {
-              const auto gap = condition->correct(particles, kick);
-              largest        = {std::max(largest.gap, gap.gap),
-                                std::max(largest.speed, gap.speed)};
-            }
-          if (sweep == 0)
-            first_gap = largest.gap;
-          if (!(largest.gap > 1e-12 * first_gap + 1e-14 * largest.speed))
-            break;
-          if (sweep + 1 == most_sweeps &&
-              largest.gap > largest_miss * largest.speed &&
-              largest.gap > largest_remainder * first_gap)
-            throw NumericalError(
-                "The conditions of body '" + conditions.front()->body() +
-                "' prescribe motions that contradict each other (they are "
-                "missed by " +
-                number_text(largest.gap) + " of " + number_text(largest.speed) +
-                " m/s): let each side be moved or held by one of them, and "
-                "let those that meet at a corner agree there.");
-        }
-    }
-  } // namespace
-
-
   void
   AppliedCondition::add_forces(Particles   &p,
                                const double time,
@@ -129,40 +77,13 @@ namespace Morsel::SPH
   }
 
 
-  AppliedCondition::Gap
-  AppliedCondition::correct(Particles &p, const double kick)
+  void
+  AppliedCondition::list_constraints(const unsigned int         component,
+                                     std::vector<Prescribed *> &list)
   {
-    Gap        largest{0., 0.};
-    const bool both[2] = {condition.prescribes(0), condition.prescribes(1)};
-    for (Prescribed &q : prescribed)
-      {
-        const unsigned int n     = q.trace.particle.size();
-        const auto         solve = [&](double Vector2::*component) {
-          double gap = -(q.target.*component);
-          for (unsigned int m = 0; m < n; ++m)
-            {
-              const unsigned int i    = q.trace.particle[m];
-              const double       next = p.half_velocity[i].*component +
-                                  kick * p.acceleration[i].*component;
-              gap += q.trace.weight[m] * next;
-              largest.speed = std::max(largest.speed, std::abs(next));
-            }
-          const double reaction = -gap * q.trace.mass / kick;
-          for (unsigned int m = 0; m < n; ++m)
-            {
-              const unsigned int i = q.trace.particle[m];
-              p.acceleration[i].*component +=
-                  q.trace.weight[m] * reaction / p.mass[i];
-            }
-          q.reaction.*component += reaction;
-          largest.gap = std::max(largest.gap, std::abs(gap));
-        };
-        if (both[0])
-          solve(&Vector2::x);
-        if (both[1])
-          solve(&Vector2::y);
-      }
-    return largest;
+    if (condition.prescribes(component))
+      for (Prescribed &q : prescribed)
+        list.push_back(&q);
   }
 
 
@@ -215,6 +136,7 @@ namespace Morsel::SPH
   AppliedConditions::AppliedConditions(const Scene::Scene        &scene,
                                        const Scene::ParticleBody &body,
                                        const DeformableBody      &solid)
+      : name(body.name)
   {
     for (unsigned int k = 0; k < scene.conditions.size(); ++k)
       if (scene.conditions[k].body == body.name)
@@ -223,6 +145,14 @@ namespace Morsel::SPH
               scene.conditions[k], body, solid, scene.depth));
           places.push_back(k);
         }
+    std::vector<Prescribed *> in_x, in_y;
+    for (auto &condition : conditions)
+      {
+        condition->list_constraints(0, in_x);
+        condition->list_constraints(1, in_y);
+      }
+    constraints = std::make_unique<VelocityConstraints>(
+        std::move(in_x), std::move(in_y), solid.get_particles().mass);
   }
 
 
@@ -243,14 +173,14 @@ namespace Morsel::SPH
           condition->add_forces(particles, time, half_step);
         condition->set_targets(particles, time, time_step);
       }
-    hold(conditions, particles, kick);
+    constraints->enforce(particles, kick, name);
     // A damping needs the velocity to which all else leads, supports too.
     if (damped)
       {
         for (auto &condition : conditions)
           if (condition->is_damping())
             condition->add_forces(particles, time, half_step);
-        hold(conditions, particles, kick);
+        constraints->enforce(particles, kick, name);
       }
     for (auto &condition : conditions)
       condition->account(particles, half_step, kick);

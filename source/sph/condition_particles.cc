@@ -142,7 +142,7 @@ namespace Morsel::SPH
       {
         for (unsigned int i = 0; i < p.n_owned; ++i)
           if (concerns(p.reference[i]))
-            prescribed.push_back({{{i}, {1.}, p.mass[i]}});
+            prescribed.push_back({{{i}, {1.}}});
         return;
       }
 
@@ -170,7 +170,7 @@ namespace Morsel::SPH
   }
 
 
-  AppliedCondition::Trace
+  Trace
   AppliedCondition::trace_at_edge(const std::vector<unsigned int> &row,
                                   const std::vector<Vector2>      &surface,
                                   const Particles                 &p,
@@ -204,10 +204,6 @@ namespace Morsel::SPH
         (edge - place) / (p.reference[row[0]][d] - p.reference[row[1]][d]);
     trace.weight[0] += shift;
     trace.weight[1] -= shift;
-    double mobility = 0.;
-    for (unsigned int m = 0; m < trace.weight.size(); ++m)
-      mobility += trace.weight[m] * trace.weight[m] / p.mass[trace.particle[m]];
-    trace.mass = 1. / mobility;
     return trace;
   }
 } // namespace Morsel::SPH

@@ -92,4 +92,15 @@ namespace Morsel::SPH
       }
     return p;
   }
+
+
+  double
+  half_step_masses_times_speeds(const Particles &particles)
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < particles.n_owned; ++i)
+      sum += particles.mass[i] * std::hypot(particles.half_velocity[i].x,
+                                            particles.half_velocity[i].y);
+    return sum;
+  }
 } // namespace Morsel::SPH

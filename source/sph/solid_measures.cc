@@ -5,16 +5,6 @@
 
 namespace Morsel::SPH
 {
-  namespace
-  {
-    double
-    sum_of_owned(const Particles &particles, const std::vector<double> &x)
-    {
-      return std::accumulate(x.begin(), x.begin() + particles.n_owned, 0.);
-    }
-  } // namespace
-
-
   SolidEnergies
   Solid::energies() const
   {

@@ -33,6 +33,13 @@ using namespace Fuzz;
 
 namespace
 {
+  /// Of so many mutants that run, one has all of the patience. The others are
+  /// interrupted after this share of it: set up they are by then, and in their
+  /// steps, which are all alike.
+  constexpr std::uint64_t mutants_for_a_long_one = 10;
+  constexpr double        short_share            = 0.2;
+
+
   struct Settings
   {
     std::uint64_t seed      = 1;
@@ -193,13 +200,16 @@ namespace
     worker.mutant = std::move(mutant);
     worker.sandbox->put(worker.mutant.target.file, worker.mutant.mutation.text);
     const std::vector<std::string> &arguments = worker.mutant.arguments;
+    Limits                          limits    = settings.limits;
+    if (worker.mutant.number % mutants_for_a_long_one != 0)
+      limits.patience *= short_share;
     worker.sandbox->start(
         [&] {
           // A study starts its own program's file.
           return settings.run ? execute_program(arguments)
                               : call_program(arguments);
         },
-        settings.limits);
+        limits);
   }
 
 
@@ -359,8 +369,8 @@ main(int argc, char **argv)
   app.add_option(
       "--patience",
       settings.limits.patience,
-      "A run is interrupted after this processor time [s] and must end "
-      "(default: 6 with --run)");
+      "One run of ten is interrupted after this processor time [s], the others "
+      "after a fifth of it, and must end (default: 6 with --run)");
   app.add_option("--memory", settings.limits.memory, "Limit of addresses [B]")
       ->capture_default_str();
   app.add_option("--time",

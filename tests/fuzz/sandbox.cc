@@ -24,6 +24,10 @@ namespace Fuzz
     /// After SIGTERM, a run may take this long to write its last files [s].
     const double time_to_end = 30.;
 
+    /// A run is interrupted after this wall time, however little processor
+    /// time it shows: a study's is that of its children, which shows late [s].
+    const double longest_wait = 60.;
+
 
     void
     limit(const __rlimit_resource resource, const double value)
@@ -173,10 +177,8 @@ namespace Fuzz
         const double age = std::chrono::duration<double>(
                                std::chrono::steady_clock::now() - begin)
                                .count();
-        // A study's time is that of its children, which shows late.
         if (limits.patience > 0. && !was_interrupted &&
-            (processor_time_of(child) > limits.patience ||
-             age > 10. * limits.patience))
+            (processor_time_of(child) > limits.patience || age > longest_wait))
           {
             was_interrupted = true;
             interrupted_at  = age;

@@ -70,18 +70,29 @@ BOOST_AUTO_TEST_CASE(every_term_is_in_the_sums)
 
 BOOST_AUTO_TEST_CASE(momentum_is_explained_by_impulses)
 {
-  MomentumLedger ledger{Tensor<1, 2>{{0., -2.}}};
+  MomentumLedger ledger(Tensor<1, 2>{{0., -2.}}, 2.);
   BOOST_CHECK_SMALL(
       ledger.record(Tensor<1, 2>{{1., 1.}},
+                    1.5,
                     {Tensor<1, 2>{{1., 5.}}, Tensor<1, 2>{{0., -2.}}}),
       1e-15);
   const double impulse = Tensor<1, 2>{{1., 5.}}.norm();
   BOOST_CHECK_CLOSE(
       ledger.record(Tensor<1, 2>{{1., 1.}},
+                    1.5,
                     {Tensor<1, 2>{{1., 5.}}, Tensor<1, 2>{{0., -2.5}}}),
       0.5 / impulse,
       1e-8);
   BOOST_CHECK_EQUAL(ledger.error(), ledger.largest_error());
+}
+
+
+BOOST_AUTO_TEST_CASE(momenta_that_cancel_have_a_scale)
+{
+  // Two masses fly apart; round-off of their sum is round-off.
+  MomentumLedger ledger(Tensor<1, 2>(), 8.);
+  BOOST_CHECK_CLOSE(
+      ledger.record(Tensor<1, 2>{{0., 1e-15}}, 6., {}), 1e-15 / 8., 1e-8);
 }
 
 

@@ -62,6 +62,13 @@ namespace Morsel
       return saved;
     }
 
+    /// Saves what another archive has saved, on this rank.
+    void
+    append(const std::string &buffer_of_other)
+    {
+      saved += buffer_of_other;
+    }
+
     /// Whether everything that was saved has been loaded.
     bool
     at_end() const

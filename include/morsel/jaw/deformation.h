@@ -97,6 +97,13 @@ namespace Morsel::Jaw
       return {};
     }
 
+    /// At least the sum of masses times speeds at that time [kg m/s].
+    virtual double
+    masses_times_speeds() const
+    {
+      return 0.;
+    }
+
     /// Of contact on the body so far, where it settles.
     virtual unsigned long long
     n_evaluations() const

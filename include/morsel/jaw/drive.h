@@ -246,10 +246,6 @@ namespace Morsel::Jaw
     double
     mass_at(const dealii::Point<2> &place) const override;
 
-    /// As they are now.
-    std::vector<Muscle::State>
-    muscle_states(double time) const;
-
   protected:
     double
     act(double time, double angle, double spin) const override;

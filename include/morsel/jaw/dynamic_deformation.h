@@ -47,6 +47,10 @@ namespace Morsel::Jaw
     dealii::Tensor<1, 2>
     momentum() const override;
 
+    /// sqrt(m v M v), by Schwarz's inequality.
+    double
+    masses_times_speeds() const override;
+
     Eigen::VectorXd
     displacement() const override
     {

@@ -106,18 +106,23 @@ namespace Morsel::Measure
   /// Keeps the account of linear momentum: it changes by the impulses that
   /// the plates (and other loads) give, and by nothing else.
   ///
-  /// The error is |momentum - initial - sum of impulses| over the largest
-  /// momentum or single impulse that was seen so far; 0 while all are 0.
+  /// The error is |momentum - initial - sum of impulses| over the largest sum
+  /// of masses times speeds or single impulse that was seen so far, so that it
+  /// means the same where the parts of a body move against each other and the
+  /// sum of their momenta is zero; 0 while all are 0.
   class MomentumLedger
   {
   public:
-    explicit MomentumLedger(const dealii::Tensor<1, 2> &initial);
+    MomentumLedger(const dealii::Tensor<1, 2> &initial,
+                   double                      masses_times_speeds);
 
     /// @param momentum of what is simulated [kg m/s].
+    /// @param masses_times_speeds of its parts, at least |momentum| [kg m/s].
     /// @param impulses given to it since the beginning, by each load [N s].
     /// @return the error now [1].
     double
     record(const dealii::Tensor<1, 2>              &momentum,
+           double                                   masses_times_speeds,
            const std::vector<dealii::Tensor<1, 2>> &impulses);
 
     /// The error of the last sample.

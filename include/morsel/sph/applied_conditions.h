@@ -5,6 +5,7 @@
 #include <morsel/core/state_archive_fwd.h>
 #include <morsel/scene/scene.h>
 #include <morsel/sph/deformable_body.h>
+#include <morsel/sph/velocity_constraints.h>
 
 #include <memory>
 #include <vector>
@@ -29,11 +30,6 @@ namespace Morsel::SPH
   class AppliedCondition
   {
   public:
-    struct Gap
-    {
-      double gap, speed; ///< [m/s]
-    };
-
     AppliedCondition(const Scene::Condition    &condition,
                      const Scene::ParticleBody &body,
                      const DeformableBody      &solid,
@@ -48,12 +44,6 @@ namespace Morsel::SPH
     /// Prepares the velocities to prescribe at the half step to come.
     void
     set_targets(const Particles &particles, double time, double time_step);
-
-    /// Corrects accelerations towards the prescribed velocities.
-    /// @param kick by which the velocities are going to advance [s]
-    /// @return the largest gap before the correction, and the largest speed.
-    Gap
-    correct(Particles &particles, double kick);
 
     /// Books work and impulse of the forces now in effect.
     void
@@ -86,17 +76,15 @@ namespace Morsel::SPH
       return condition.kind == "damping";
     }
 
-    const std::string &
-    body() const
-    {
-      return condition.body;
-    }
-
     bool
     prescribes_motion() const
     {
       return condition.prescribes_motion();
     }
+
+    /// Adds to a list what it prescribes of a component (0: x, 1: y).
+    void
+    list_constraints(unsigned int component, std::vector<Prescribed *> &list);
 
     void
     exchange_state(StateArchive &state);
@@ -107,22 +95,6 @@ namespace Morsel::SPH
       unsigned int particle;
       double       share; ///< m^2, 1, or kg
       Vector2      force; ///< [N]
-    };
-
-    /// The velocity of a place as a sum over particles.
-    struct Trace
-    {
-      std::vector<unsigned int> particle;
-      std::vector<double>       weight; ///< [1], sum 1
-      /// That moves as the trace does, 1 / sum of weight^2/mass [kg].
-      double mass = 1.;
-    };
-
-    /// The velocity of a trace is prescribed.
-    struct Prescribed
-    {
-      Trace   trace;
-      Vector2 target{0., 0.}, reaction{0., 0.}; ///< [m/s], [N]
     };
 
     void
@@ -189,6 +161,8 @@ namespace Morsel::SPH
   private:
     std::vector<std::unique_ptr<AppliedCondition>> conditions;
     std::vector<unsigned int>                      places;
+    std::string                                    name; ///< of the body
+    std::unique_ptr<const VelocityConstraints>     constraints;
     double                                         last_step = 0.; ///< [s]
   };
 } // namespace Morsel::SPH

@@ -56,6 +56,11 @@ namespace Morsel::SPH
   /// Momentum at the last half step [kg m/s], of the particles of this rank.
   Vector2
   half_step_momentum(const Particles &particles);
+
+  /// Sum of masses times speeds at that time [kg m/s], of the particles of this
+  /// rank: what the momentum is small against where it cancels.
+  double
+  half_step_masses_times_speeds(const Particles &particles);
 } // namespace Morsel::SPH
 
 #endif
