@@ -1,4 +1,4 @@
-#include "hdf5_file.h"
+#include <morsel/output/hdf5_file.h>
 
 #include <deal.II/base/exceptions.h>
 

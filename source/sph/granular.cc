@@ -28,14 +28,6 @@ namespace Morsel::SPH
               constants.viscosity_beta,
               constants.contact_stiffness};
     }
-
-
-    double
-    sum_of_owned(const Particles &particles, const std::vector<double> &values)
-    {
-      return std::accumulate(
-          values.begin(), values.begin() + particles.n_owned, 0.);
-    }
   } // namespace
 
 
@@ -361,7 +353,7 @@ namespace Morsel::SPH
   {
     if (!any_failed)
       return 0.;
-    double sum = sum_of_owned(particles, penalty_energy);
+    double sum = particles.sum_of_owned(penalty_energy);
     for (const unsigned int i : members)
       if (particles.failed[i])
         sum += energy[i];
@@ -372,7 +364,7 @@ namespace Morsel::SPH
   double
   Granular::friction_heat() const
   {
-    return sum_of_owned(particles, grain_heat) +
-           sum_of_owned(particles, pair_friction_heat);
+    return particles.sum_of_owned(grain_heat) +
+           particles.sum_of_owned(pair_friction_heat);
   }
 } // namespace Morsel::SPH

@@ -10,7 +10,7 @@ namespace Morsel::SPH
   {
     /// By so little the pairs of a lattice may differ, relative to the spacing
     /// and to the largest weight: coordinates are rounded.
-    constexpr double tolerance = 1e-9;
+    constexpr double lattice_tolerance = 1e-9;
 
 
     /// Entries of row @p i without those at the very edge of the support,
@@ -27,7 +27,7 @@ namespace Morsel::SPH
       for (unsigned int k = begin; k < end; ++k)
         largest = std::max(largest, bonds.weight[k]);
       for (unsigned int k = begin; k < end; ++k)
-        if (bonds.weight[k] > tolerance * largest)
+        if (bonds.weight[k] > lattice_tolerance * largest)
           entries.push_back(k);
     }
   } // namespace
@@ -120,9 +120,12 @@ namespace Morsel::SPH
     const bool         back   = k < n_twos;
     const unsigned int t      = back ? k : 2 * n_twos - 1 - k;
     const double       sign = back ? -1. : 1., spacing = particles.spacing;
-    return std::abs(bonds.dx[entry] - sign * x[t]) < tolerance * spacing &&
-           std::abs(bonds.dy[entry] - sign * y[t]) < tolerance * spacing &&
-           std::abs(bonds.weight[entry] - weight[t]) < tolerance * heaviest;
+    return std::abs(bonds.dx[entry] - sign * x[t]) <
+               lattice_tolerance * spacing &&
+           std::abs(bonds.dy[entry] - sign * y[t]) <
+               lattice_tolerance * spacing &&
+           std::abs(bonds.weight[entry] - weight[t]) <
+               lattice_tolerance * heaviest;
   }
 
 

@@ -40,7 +40,7 @@ namespace Morsel::SPH
     e.viscous_heat = viscous_heat(leapfrog, particles);
     if (fracture)
       {
-        e.damage_heat   = sum_of_owned(particles, particles.damage_heat);
+        e.damage_heat   = particles.sum_of_owned(particles.damage_heat);
         e.bond_heat     = fracture->bond_heat();
         e.granular      = granular->stored_energy();
         e.friction_heat = granular->friction_heat();

@@ -111,6 +111,12 @@ namespace Morsel::SPH
     }
 
     double
+    sum_of_owned(const std::vector<double> &quantity) const
+    {
+      return std::accumulate(quantity.begin(), quantity.begin() + n_owned, 0.);
+    }
+
+    double
     least_mass() const
     {
       return *std::min_element(mass.begin(), mass.end());

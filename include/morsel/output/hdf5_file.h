@@ -1,5 +1,5 @@
-#ifndef morsel_source_output_hdf5_file_h
-#define morsel_source_output_hdf5_file_h
+#ifndef morsel_output_hdf5_file_h
+#define morsel_output_hdf5_file_h
 
 #include <hdf5.h>
 #include <mpi.h>
