@@ -86,6 +86,17 @@ namespace Morsel::Jaw
   }
 
 
+  Eigen::VectorXd
+  DynamicDeformation::inner_force() const
+  {
+    // A translation has none, but would be rounded.
+    Eigen::VectorXd strained = w;
+    for (const Eigen::VectorXd &one : ones)
+      strained -= one.dot(w) / one.squaredNorm() * one;
+    return body->stiffness() * strained;
+  }
+
+
   dealii::Tensor<1, 2>
   DynamicDeformation::account(const Contact::Surface &surface,
                               const DriveKick        &drive)
@@ -100,7 +111,7 @@ namespace Morsel::Jaw
         (drive.velocity_after - drive.velocity_before) / drive.kick;
     for (unsigned int c = 0; c < 2; ++c)
       outer_loads -= drive_acceleration[c] * mass_of_ones[c];
-    const Eigen::VectorXd loads = outer_loads - body->stiffness() * w;
+    const Eigen::VectorXd loads = outer_loads - inner_force();
     acceleration                = 4. / (dt * dt) * factors.solve(loads);
     last_drive                  = drive;
 
@@ -134,7 +145,7 @@ namespace Morsel::Jaw
     // last acceleration it would turn what the step does not resolve, whose
     // velocity there is zero, into the largest of all, and feed it.
     const Eigen::VectorXd predicted =
-        4. / (dt * dt) * factors.solve(outer_loads - body->stiffness() * w);
+        4. / (dt * dt) * factors.solve(outer_loads - inner_force());
     surface_velocity = body->trace() * (half_velocity + lag * predicted);
   }
 

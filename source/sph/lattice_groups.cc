@@ -35,7 +35,7 @@ namespace Morsel::SPH
 
   void
   LatticeGroups::find(const Particles   &particles,
-                      const Bonds       &bonds,
+                      Bonds             &bonds,
                       const unsigned int first_without_ghosts)
   {
     const unsigned int n_groups = particles.n_groups();
@@ -73,6 +73,8 @@ namespace Morsel::SPH
       }
     for (unsigned int g = 0; g * group_size < first_without_ghosts; ++g)
       use[g] |= needs_records;
+    for (unsigned int i = 0; i < bonds.list.n_rows(); ++i)
+      adjust(particles, bonds, i);
     for (auto &column : columns)
       column.resize(n_groups * group_size, 0.);
   }
@@ -167,6 +169,34 @@ namespace Morsel::SPH
       }
     shape = inverse(moment);
     return true;
+  }
+
+
+  void
+  LatticeGroups::adjust(const Particles   &particles,
+                        Bonds             &bonds,
+                        const unsigned int i) const
+  {
+    const unsigned int n_twos = x.size();
+    const unsigned int begin  = bonds.list.start[i];
+    const unsigned int end    = bonds.list.start[i + 1];
+    for (unsigned int entry = begin; entry < end; ++entry)
+      {
+        // In a full row the pairs come in the order of the pattern.
+        unsigned int k = entry - begin;
+        if (end - begin != 2 * n_twos || !is_pair(particles, bonds, entry, k))
+          for (k = 0; k < 2 * n_twos; ++k)
+            if (is_pair(particles, bonds, entry, k))
+              break;
+        if (k >= 2 * n_twos)
+          continue;
+        const bool         back = k < n_twos;
+        const unsigned int t    = back ? k : 2 * n_twos - 1 - k;
+        const double       sign = back ? -1. : 1.;
+        bonds.dx[entry]         = sign * x[t];
+        bonds.dy[entry]         = sign * y[t];
+        bonds.weight[entry]     = weight[t];
+      }
   }
 
 

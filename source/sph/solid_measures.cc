@@ -14,6 +14,13 @@ namespace Morsel::SPH
         parallel_for(
             particles.n_groups(),
             [&](unsigned int begin, unsigned int end) {
+              if (!bonds.lattice.empty())
+                column_loop(arrays, constants, begin, end);
+            },
+            64);
+        parallel_for(
+            particles.n_groups(),
+            [&](unsigned int begin, unsigned int end) {
               energy_loop(arrays, constants, begin, end);
             },
             64);

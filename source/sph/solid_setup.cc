@@ -69,6 +69,7 @@ namespace Morsel::SPH
                                (material.density * kernel.h * kernel.h));
     if (body.damage.enabled)
       make_breakable(body, scene);
+    arrays = bonded_arrays(particles, bonds);
   }
 
 

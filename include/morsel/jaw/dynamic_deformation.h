@@ -61,6 +61,10 @@ namespace Morsel::Jaw
     exchange_state(StateArchive &state) override;
 
   private:
+    /// Of the strained body at its dofs [N/m], K w.
+    Eigen::VectorXd
+    inner_force() const;
+
     const MPI_Comm   communicator;
     const bool       first_rank;
     double           dt;

@@ -23,11 +23,13 @@ namespace Morsel::SPH
   {
   public:
     /// Finds the groups in @p bonds, none of which is cut yet; nothing is
-    /// allocated where there are none.
+    /// allocated where there are none. Pairs of the pattern get its offsets and
+    /// weights in all rows, so that the two ends of a pair agree to the bit
+    /// whatever their groups go by.
     /// @param first_without_ghosts particles before it are sent to other ranks
     void
     find(const Particles &particles,
-         const Bonds     &bonds,
+         Bonds           &bonds,
          unsigned int     first_without_ghosts);
 
     bool
@@ -85,6 +87,11 @@ namespace Morsel::SPH
             const Bonds     &bonds,
             unsigned int     entry,
             unsigned int     k) const;
+
+    /// Gives the entries of row @p i the pattern's values where they are its
+    /// pairs.
+    void
+    adjust(const Particles &particles, Bonds &bonds, unsigned int i) const;
 
     /// Tells the groups of @p g's neighbours in what form it reads them.
     void

@@ -222,7 +222,7 @@ namespace Morsel::SPH
     double          highest_frequency = 0.; ///< its square [1/s^2]
 
     BondedConstants     constants;
-    BondedArrays        arrays{};    ///< since the last compute_accelerations()
+    BondedArrays        arrays{};
     PairKernels::Strain column_loop; ///< of bonds.lattice
     PairKernels::Strain strain_loop;
     PairKernels::Force  force_loop;
