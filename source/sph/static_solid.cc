@@ -28,6 +28,8 @@ namespace Morsel::SPH
     constexpr double       gap_tolerance                = 1e-12;
     constexpr double       largest_gap                  = 1e-6;
     constexpr unsigned int largest_iteration_count      = 2000;
+    /// Of exact factors: 1 GB.
+    constexpr double largest_entry_count = 1.25e8;
 
 
     /// Weights of one component.
@@ -42,13 +44,30 @@ namespace Morsel::SPH
   } // namespace
 
 
-  /// A sparse Cholesky factorisation as a preconditioner.
+  /// A preconditioner: the stiffness matrix's own factors if they fit into
+  /// memory and exist, else those of one that couples neighbours only.
   class StaticSolid::Factorisation
   {
   public:
-    Factorisation(const Eigen::SparseMatrix<double> &lower)
-        : factors(lower)
+    Factorisation(const StaticSolid &solid)
+        : nodes(solid.all_elements())
+        , order(solid.shape.get_cloud().points, nodes)
     {
+      if (order.n_entries() <= largest_entry_count)
+        exact = std::make_unique<MultifrontalCholesky>(
+            order,
+            nodes,
+            [&](const unsigned int e, std::vector<double> &matrix) {
+              solid.element_matrix(e, matrix);
+            });
+      if (exact && exact->succeeded())
+        return;
+      exact.reset();
+      const auto                  entries = solid.preconditioner_entries();
+      Eigen::SparseMatrix<double> lower(2 * solid.load.size(),
+                                        2 * solid.load.size());
+      lower.setFromTriplets(entries.begin(), entries.end());
+      factors.compute(lower);
       if (factors.info() != Eigen::Success)
         throw NumericalError("The particle body is not held: support it, or "
                              "keep cracks from cutting parts off.");
@@ -57,11 +76,17 @@ namespace Morsel::SPH
     void
     vmult(Vector<double> &y, const Vector<double> &x) const
     {
-      Eigen::Map<Eigen::VectorXd>(y.begin(), y.size()) =
-          factors.solve(Eigen::Map<const Eigen::VectorXd>(x.begin(), x.size()));
+      if (exact)
+        exact->solve(y.begin(), x.begin());
+      else
+        Eigen::Map<Eigen::VectorXd>(y.begin(), y.size()) = factors.solve(
+            Eigen::Map<const Eigen::VectorXd>(x.begin(), x.size()));
     }
 
   private:
+    const ElementNodes                                              nodes;
+    const Dissection                                                order;
+    std::unique_ptr<MultifrontalCholesky>                           exact;
     Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factors;
   };
 
@@ -89,6 +114,7 @@ namespace Morsel::SPH
       , gradient(gradient)
       , control(control)
       , boundary(boundary)
+      , elements(gradient, control, material)
       , material(material)
       , youngs_modulus(youngs_modulus)
       , load(gradient.volume.size())
@@ -196,17 +222,47 @@ namespace Morsel::SPH
   Vector<double>
   StaticSolid::force_balance(const Vector<double> &x) const
   {
-    const VectorField u     = to_field(x);
-    VectorField       force = inner_force(u);
-    for (Tensor<1, 2> &f : force)
-      f *= -1.;
+    Vector<double> force(x.size());
+    elements.vmult(force, x);
     for (const Constraint &c : constraints)
       {
-        const double p = c.stiffness * trace(c, u);
+        double sum = 0.;
         for (unsigned int k = 0; k < c.index.size(); ++k)
-          force[c.index[k]] += p * c.weight[k];
+          for (unsigned int d = 0; d < 2; ++d)
+            sum += c.weight[k][d] * x(2 * c.index[k] + d);
+        for (unsigned int k = 0; k < c.index.size(); ++k)
+          for (unsigned int d = 0; d < 2; ++d)
+            force(2 * c.index[k] + d) += c.stiffness * sum * c.weight[k][d];
       }
-    return to_vector(force);
+    return force;
+  }
+
+
+  ElementNodes
+  StaticSolid::all_elements() const
+  {
+    ElementNodes result = elements.get_nodes();
+    for (const Constraint &c : constraints)
+      {
+        result.index.insert(result.index.end(), c.index.begin(), c.index.end());
+        result.start.push_back(result.index.size());
+      }
+    return result;
+  }
+
+
+  void
+  StaticSolid::element_matrix(const unsigned int   e,
+                              std::vector<double> &matrix) const
+  {
+    if (e < load.size())
+      return elements.matrix(e, matrix);
+    const Constraint  &c = constraints[e - load.size()];
+    const unsigned int n = 2 * c.index.size();
+    for (unsigned int b = 0; b < n; ++b)
+      for (unsigned int a = b; a < n; ++a)
+        matrix[b * n + a] =
+            c.stiffness * c.weight[a / 2][a % 2] * c.weight[b / 2][b % 2];
   }
 
 
@@ -311,12 +367,9 @@ namespace Morsel::SPH
   VectorField
   StaticSolid::solve()
   {
-    Timer                       timer;
-    const auto                  entries = preconditioner_entries();
-    const unsigned int          n_dofs  = 2 * load.size();
-    Eigen::SparseMatrix<double> matrix(n_dofs, n_dofs);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    const Factorisation factors(matrix);
+    Timer               timer;
+    const unsigned int  n_dofs = 2 * load.size();
+    const Factorisation factors(*this);
     report.n_dofs     = n_dofs;
     report.setup_time = timer.wall_time();
     timer.restart();

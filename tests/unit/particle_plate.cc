@@ -1,7 +1,9 @@
 // Particles in equilibrium: Voronoi cells, discrete gradients and their
 // adjoint, patch tests, visibility about cracks, stress intensity.
 #include <morsel/core/errors.h>
+#include <morsel/sph/field_vectors.h>
 #include <morsel/sph/plate_problem.h>
+#include <morsel/sph/stiffness_elements.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -137,6 +139,52 @@ namespace
 
 
 BOOST_AUTO_TEST_SUITE(particle_plate)
+
+BOOST_AUTO_TEST_CASE(elements_sum_up_to_the_forces_of_the_operators)
+{
+  for (const bool matrix : {false, true})
+    {
+      const Body        body(8, 0.3, {edge_crack}, matrix);
+      const VectorField u = random_field(body.cloud.size());
+      TensorField       stress(u.size());
+      for (unsigned int i = 0; i < u.size(); ++i)
+        stress[i] = body.material.stress(body.gradient.gradient(i, u));
+      VectorField force(u.size());
+      body.gradient.add_force(stress, force);
+      body.control.add_force(u, force);
+      const dealii::Vector<double> inner = to_vector(force), x = to_vector(u);
+
+      const StiffnessElements elements(
+          body.gradient, body.control, body.material);
+      dealii::Vector<double> sum(x.size()), entries(x.size());
+      elements.vmult(sum, x);
+
+      const ElementNodes &nodes = elements.get_nodes();
+      std::vector<double> m;
+      for (unsigned int e = 0; e < nodes.n_elements(); ++e)
+        {
+          const unsigned int *node = &nodes.index[nodes.start[e]];
+          const unsigned int  n    = 2 * (nodes.start[e + 1] - nodes.start[e]);
+          const auto          row  = [&](const unsigned int k) {
+            return 2 * node[k / 2] + k % 2;
+          };
+          m.resize(n * n);
+          elements.matrix(e, m);
+          for (unsigned int b = 0; b < n; ++b)
+            for (unsigned int a = b; a < n; ++a)
+              {
+                entries(row(a)) += m[b * n + a] * x(row(b));
+                if (a > b)
+                  entries(row(b)) += m[b * n + a] * x(row(a));
+              }
+        }
+      sum += inner;
+      entries += inner;
+      BOOST_TEST(sum.l2_norm() < 1e-13 * inner.l2_norm());
+      BOOST_TEST(entries.l2_norm() < 1e-13 * inner.l2_norm());
+    }
+}
+
 
 BOOST_AUTO_TEST_CASE(voronoi_cells_fill_the_rectangle)
 {

@@ -3,6 +3,7 @@
 
 #include <morsel/fracture/elastic_plane.h>
 #include <morsel/sph/discrete_gradient.h>
+#include <morsel/sph/stiffness_elements.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -167,6 +168,11 @@ namespace Morsel::SPH
     force_balance(const dealii::Vector<double> &x) const;
     std::vector<Eigen::Triplet<double>>
     preconditioner_entries() const;
+    /// Those of the particles' elements and of the supports'.
+    ElementNodes
+    all_elements() const;
+    void
+    element_matrix(const unsigned int e, std::vector<double> &matrix) const;
     /// Tractions and the reactions of the multipliers [N/m].
     dealii::Vector<double>
     outer_force() const;
@@ -185,6 +191,7 @@ namespace Morsel::SPH
     const DiscreteGradient           &gradient;
     const ResidualControl            &control;
     const std::vector<BoundaryFacet> &boundary;
+    StiffnessElements                 elements;
     Fracture::ElasticPlane            material;
     double                            youngs_modulus;
     VectorField                       load; ///< of the tractions [N/m]

@@ -1,0 +1,3 @@
+#define MORSEL_INSTRUCTION_SET avx2
+#define MORSEL_LANES 4
+#include <morsel/core/cholesky_kernels_table.h>
