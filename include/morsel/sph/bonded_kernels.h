@@ -4,8 +4,7 @@
 // The first loop over bonded pairs, strain and stress, for groups of eight
 // particles whose pairs stand side by side. Compiled once per instruction set.
 
-#include <morsel/sph/pair_kernels.h>
-#include <morsel/sph/vector_lanes.h>
+#include <morsel/sph/lattice_kernels.h>
 
 namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
 {
@@ -33,71 +32,6 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     };
 
 
-    struct Matrix
-    {
-      V xx{}, xy{}, yx{}, yy{};
-
-      /// Adds u (x) g.
-      MORSEL_INLINE void
-      add(const V u_x, const V u_y, const V g_x, const V g_y)
-      {
-        xx += u_x * g_x;
-        xy += u_x * g_y;
-        yx += u_y * g_x;
-        yy += u_y * g_y;
-      }
-    };
-
-
-    /// A B.
-    MORSEL_INLINE Matrix
-    product(const Matrix &A, const Matrix &B)
-    {
-      return {A.xx * B.xx + A.xy * B.yx,
-              A.xx * B.xy + A.xy * B.yy,
-              A.yx * B.xx + A.yy * B.yx,
-              A.yx * B.xy + A.yy * B.yy};
-    }
-
-
-    /// Particles [first, first + lanes) of a group; lanes past the last
-    /// owned particle repeat it and are never stored.
-    struct Row
-    {
-      unsigned int first, last, n;
-
-      Row(const BondedArrays &a, const unsigned int first)
-          : first(first)
-          , last(a.n_owned - 1)
-          , n(a.n_owned > first ? a.n_owned - first : 0)
-      {}
-
-      MORSEL_INLINE unsigned int
-      particle(const unsigned int l) const
-      {
-        return first + l < last ? first + l : last;
-      }
-
-      template <typename Record>
-      MORSEL_INLINE auto
-      of(Record *records) const
-      {
-        return [this, records](const unsigned int l) {
-          return (const double *)(records + particle(l));
-        };
-      }
-
-      template <typename Record>
-      MORSEL_INLINE auto
-      to(Record *records) const
-      {
-        return [this, records](const unsigned int l) {
-          return (double *)(records + first + l);
-        };
-      }
-    };
-
-
     MORSEL_INLINE Stress
     soften_principal(const Stress &s, const V keep)
     {
@@ -116,105 +50,11 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     }
 
 
-    MORSEL_INLINE Matrix
-    symmetric_of(const Row &row, const Symmetric2 *matrices)
-    {
-      const V xx =
-          gather([&](unsigned int l) { return &matrices[row.particle(l)].xx; });
-      const V yy =
-          gather([&](unsigned int l) { return &matrices[row.particle(l)].yy; });
-      const V xy =
-          gather([&](unsigned int l) { return &matrices[row.particle(l)].xy; });
-      return {xx, xy, xy, yy};
-    }
-
-
     /// The matrices of a row that its kind of gradient takes.
     struct Corrections
     {
       Matrix shape, fit;
     };
-
-
-    /// Where the pairs of a group come from.
-    enum class Pairs
-    {
-      list,
-      regular, ///< the lattice's pattern
-      frayed   ///< the same, but some are cut: weights are the group's
-    };
-
-
-    MORSEL_INLINE Pairs
-    pairs_of(const BondedArrays &a, const unsigned int g)
-    {
-      const char use = a.lattice.use ? a.lattice.use[g] : char(0);
-      return use & lattice_regular  ? Pairs::regular
-             : use & lattice_frayed ? Pairs::frayed
-                                    : Pairs::list;
-    }
-
-
-    /// All of group @p g has failed.
-    MORSEL_INLINE bool
-    is_retired(const BondedArrays &a, const unsigned int g)
-    {
-      return a.slot_begin[g] == a.slot_end[g] &&
-             pairs_of(a, g) != Pairs::regular;
-    }
-
-
-    /// The weights of the pairs at X and -X of a frayed group.
-    struct TwoWeights
-    {
-      V ahead, back;
-
-      MORSEL_INLINE
-      TwoWeights(const BondedArrays &a,
-                 const unsigned int  g,
-                 const unsigned int  offset,
-                 const unsigned int  t)
-      {
-        // Rows are sorted by their neighbours: from the last at -X to X.
-        const unsigned int first = a.slot_begin[g], n = a.lattice.n_twos;
-        back  = load(a.weight + (first + t) * group_size + offset);
-        ahead = load(a.weight + (first + 2 * n - 1 - t) * group_size + offset);
-      }
-    };
-
-
-    /// sum_j a_ij u_ij (x) X_ij on a lattice: of whole pairs X and -X the
-    /// particle's own displacement drops out.
-    template <Pairs pairs>
-    MORSEL_INLINE Matrix
-    lattice_moment(const BondedArrays &a,
-                   const unsigned int  g,
-                   const unsigned int  offset)
-    {
-      const LatticeArrays &lattice = a.lattice;
-      const double *const  u_x     = lattice.column[column_u_x] + offset;
-      const double *const  u_y     = lattice.column[column_u_y] + offset;
-      const unsigned int   i       = g * group_size;
-      const unsigned int  *first   = lattice.first + 2 * g * lattice.n_twos;
-      Matrix               moment;
-      for (unsigned int t = 0; t < lattice.n_twos; ++t, first += 2)
-        if constexpr (pairs == Pairs::regular)
-          moment.add(load(u_x + first[0]) - load(u_x + first[1]),
-                     load(u_y + first[0]) - load(u_y + first[1]),
-                     all(lattice.weight_x[t]),
-                     all(lattice.weight_y[t]));
-        else
-          {
-            const TwoWeights w(a, g, offset, t);
-            moment.add(w.ahead * (load(u_x + first[0]) - load(u_x + i)) -
-                           w.back * (load(u_x + first[1]) - load(u_x + i)),
-                       w.ahead * (load(u_y + first[0]) - load(u_y + i)) -
-                           w.back * (load(u_y + first[1]) - load(u_y + i)),
-                       all(lattice.x[t]),
-                       all(lattice.y[t]));
-          }
-      return moment;
-    }
 
 
     /// The displacement gradient H; with the conforming gradient
@@ -479,34 +319,6 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
             else
               strain_row<linear_law, softened, kind>(a, c, g, offset);
         }
-    }
-
-
-    /// Displacements, and velocities for viscosity, into the lattice's columns.
-    template <bool velocities>
-    void
-    fill_columns(const BondedArrays &a,
-                 const BondedConstants &,
-                 const unsigned int begin,
-                 const unsigned int end)
-    {
-      for (unsigned int g = begin; g < end; ++g)
-        if (a.lattice.use[g] & lattice_needs_columns)
-          for (unsigned int offset = 0; offset < group_size; offset += lanes)
-            {
-              const Row row(a, g * group_size + offset);
-              V         u_x, u_y, v_x, v_y;
-              if constexpr (velocities)
-                {
-                  gather_records(row.of(a.motion), u_x, u_y, v_x, v_y);
-                  store(a.lattice.column[column_v_x] + row.first, v_x);
-                  store(a.lattice.column[column_v_y] + row.first, v_y);
-                }
-              else
-                gather_pairs(row.of(a.motion), u_x, u_y);
-              store(a.lattice.column[column_u_x] + row.first, u_x);
-              store(a.lattice.column[column_u_y] + row.first, u_y);
-            }
     }
   } // namespace
 } // namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
