@@ -234,6 +234,16 @@ namespace Morsel
   }
 
 
+  bool
+  Guards::closes_well(const Measure::Energies     &energies,
+                      const Measure::EnergyLedger &ledger) const
+  {
+    const double largest = ledger.largest_term(energies);
+    return ledger.gap(energies) <= 0.1 * largest_gap * largest ||
+           largest <= noticeable;
+  }
+
+
   std::optional<Finding>
   Guards::check_energy(const Measure::Energies     &energies,
                        const Measure::EnergyLedger &ledger) const

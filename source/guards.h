@@ -115,6 +115,12 @@ namespace Morsel
     std::optional<Finding>
     check_particles() const;
 
+    /// Whether the ledger is open by no more than a tenth of what stops a run:
+    /// then the state is one to go back to.
+    bool
+    closes_well(const Measure::Energies     &energies,
+                const Measure::EnergyLedger &ledger) const;
+
     /// Whether energy comes from nowhere.
     /// @param ledger that knows what there was at first
     std::optional<Finding>

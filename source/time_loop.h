@@ -313,7 +313,9 @@ namespace Morsel
     const auto finding = evaluate_and_check(true);
     if (finding || suspicion)
       return finding;
-    if (keeps)
+    // From a state in which noise has begun to grow no step would save the run.
+    if (keeps &&
+        guards->closes_well(system->energies(), recorder->energy_ledger()))
       control.keep(saves ? RunState(now) : std::move(now));
     if (saves)
       {

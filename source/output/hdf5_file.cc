@@ -1,6 +1,7 @@
 #include <morsel/output/hdf5_file.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 
 namespace Morsel::Output
 {
@@ -45,11 +46,13 @@ namespace Morsel::Output
 
 
   HDF5File::HDF5File(const std::string &file_name, const MPI_Comm communicator)
+      : parallel(dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
   {
     H5Eget_auto2(H5E_DEFAULT, &old_function, &old_data);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    checked(H5Pset_fapl_mpio(access, communicator, MPI_INFO_NULL));
+    if (parallel)
+      checked(H5Pset_fapl_mpio(access, communicator, MPI_INFO_NULL));
     file = H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
     if (file < 0)
       H5Eset_auto2(H5E_DEFAULT, old_function, old_data);
@@ -117,7 +120,8 @@ namespace Morsel::Output
                                   H5P_DEFAULT),
                        H5Dclose);
     const Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
-    checked(H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE));
+    if (parallel)
+      checked(H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE));
     checked(H5Dwrite(table, type, in_memory, in_file, transfer, values));
   }
 } // namespace Morsel::Output

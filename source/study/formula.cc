@@ -38,6 +38,13 @@ namespace Morsel::Study
   } // namespace
 
 
+  namespace
+  {
+    /// muparser's.
+    constexpr unsigned int longest_name = 100;
+  } // namespace
+
+
   double
   evaluate(const std::string &formula, const Variables &variables)
   {
@@ -45,7 +52,11 @@ namespace Morsel::Study
     for (const auto &variable : variables)
       known.push_back(variable.first);
     for (const std::string &name : names_in(formula))
-      if (variables.count(name) == 0)
+      if (name.size() > longest_name)
+        throw InputError("the formula '" + formula + "' holds a name of " +
+                         std::to_string(name.size()) + " letters; " +
+                         std::to_string(longest_name) + " are allowed.");
+      else if (variables.count(name) == 0)
         throw InputError("the formula '" + formula + "' names '" + name +
                          "', which is not known here." +
                          did_you_mean(name, known));

@@ -11,7 +11,7 @@ expect $? 0 "the whole run"
 "$morsel" --threads 1 --quiet --output run "$scene" >message 2>&1 &
 pid=$!
 wait_for_file run/history.csv
-sleep 0.4
+sleep 0.1
 kill -TERM $pid
 wait $pid
 expect $? 130 "one rank"

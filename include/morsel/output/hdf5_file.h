@@ -17,8 +17,10 @@ namespace Morsel::Output
 
 
   /// A new HDF5 file into which the ranks of a communicator write tables
-  /// together. All methods are collective and throw dealii::ExcMessage where
-  /// HDF5 fails; HDF5's own messages are kept back.
+  /// together; a single one goes without MPI's files, whose library would
+  /// print what a full disk makes it think. All methods are collective and
+  /// throw dealii::ExcMessage where HDF5 fails; HDF5's own messages are kept
+  /// back.
   class HDF5File
   {
   public:
@@ -55,6 +57,7 @@ namespace Morsel::Output
                 const Rows        &rows,
                 unsigned int       columns);
 
+    const bool  parallel;
     H5E_auto2_t old_function = nullptr; ///< what prints messages
     void       *old_data     = nullptr;
     hid_t       file         = -1;
