@@ -238,9 +238,9 @@ namespace Morsel
   Guards::closes_well(const Measure::Energies     &energies,
                       const Measure::EnergyLedger &ledger) const
   {
-    const double largest = ledger.largest_term(energies);
-    return ledger.gap(energies) <= 0.1 * largest_gap * largest ||
-           largest <= noticeable;
+    // Also of energies too small to be noticed: in them noise begins.
+    return ledger.gap(energies) <=
+           0.1 * largest_gap * ledger.largest_term(energies);
   }
 
 
