@@ -220,10 +220,11 @@ BOOST_AUTO_TEST_SUITE(breaking_ranks)
 
 BOOST_AUTO_TEST_CASE(torn_in_two)
 {
-  // Ranks group particles otherwise, and lattice groups round otherwise than
-  // lists do; brittle softening multiplies that to 1.1e-9.
-  for (const char *growth : {"energy softening", "linear softening"})
-    follow({growth, &tearing, 150, 0.02, 1e-8});
+  follow({"linear softening", &tearing, 150, 0.02, 1e-9});
+  // On one rank a change of displacements by one part in 1e15 after the first
+  // step changes the damage by 1.6e-9, and one in 1e13 does no more: whether
+  // the iteration for D ends or goes on. Ranks round otherwise by as much.
+  follow({"energy softening", &tearing, 150, 0.02, 1e-8});
 }
 
 

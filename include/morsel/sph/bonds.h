@@ -44,6 +44,7 @@ namespace Morsel::SPH
   };
 
 
+  /// What is found out about bonds, and which of them are listed.
   struct BondOptions
   {
     /// Search for regular groups, see LatticeGroups.
