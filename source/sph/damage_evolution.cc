@@ -169,6 +169,7 @@ namespace Morsel::SPH
   {
     time_step = coming_step;
     newly_failed.clear();
+    parted.clear();
     failed_anywhere = false;
     if (ranks)
       exchange_ghosts();

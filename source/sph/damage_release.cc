@@ -229,6 +229,7 @@ namespace Morsel::SPH
     for (const auto &[i, energy_before, gradient_before] : touched)
       {
         is_touched[i] = 0;
+        parted.push_back(i);
         if (particles.failed[i])
           {
             particles.driver[i] = 0.;

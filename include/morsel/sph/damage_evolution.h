@@ -94,6 +94,14 @@ namespace Morsel::SPH
       return exposed;
     }
 
+    /// Owned particles that lost bonds in the last update(), some more than
+    /// once.
+    const std::vector<unsigned int> &
+    parted_now() const
+    {
+      return parted;
+    }
+
     /// Of the whole body.
     double
     failed_share() const
@@ -242,7 +250,7 @@ namespace Morsel::SPH
     const ParticleHost<2> *const ranks; ///< null where there is but one
     const LocalNumbers           local; ///< of all particles, on several
 
-    std::vector<unsigned int> newly_failed, failed_now, suspects;
+    std::vector<unsigned int> newly_failed, failed_now, suspects, parted;
     std::vector<unsigned int> batch; ///< that fails now, owned and ghosts
     bool                      failed_anywhere = false;
     std::vector<Touched>      touched;

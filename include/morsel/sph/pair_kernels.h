@@ -143,7 +143,7 @@ namespace Morsel::SPH
   };
 
 
-  /// Sums over one row of the list of unbonded pairs.
+  /// Sums over the pairs of one member.
   struct GrainForce
   {
     double x, y, viscous_x, viscous_y, pressed;
@@ -158,14 +158,16 @@ namespace Morsel::SPH
   };
 
 
-  /// The pairs with a grain of a few rows; rows are padded to whole groups by
-  /// a far dummy.
+  /// The pairs with a grain of a few members, the rows: those that are grains
+  /// first. Slot s of a group of rows holds one pair of each; rows with fewer
+  /// pairs than the group's longest end in pairs with a far dummy.
   struct GrainArrays
   {
-    const unsigned int *start; ///< n_rows + 1
-    const unsigned int *index;
-    const char         *is_grain; ///< of every member
-    unsigned int        n_rows, first_row;
+    const unsigned int *row;        ///< members, filled up to a whole group
+    const unsigned int *slot_begin; ///< of each group and past the last
+    const unsigned int *index;      ///< members, group_size a slot
+    unsigned int        n_rows, n_grains;
+    unsigned int        first_row; ///< the member of the first sum
     const GrainMotion  *motion;
     const GrainStress  *stress; ///< forces alone
     const GrainSize    *size;   ///< forces alone
