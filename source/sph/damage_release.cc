@@ -80,9 +80,16 @@ namespace Morsel::SPH
     const double D = new_damage >= failure_damage ? 1. : new_damage;
     particles.damage_heat[i] +=
         mean_energy(i, ends, old) - mean_energy(i, ends, D);
-    particles.damage[i] = D;
+    set_damage(i, D);
+  }
+
+
+  void
+  DamageEvolution::set_damage(const unsigned int i, const double new_damage)
+  {
+    particles.damage[i] = new_damage;
     particles.hourglass[i] =
-        hourglass_stiffness * (1. - D) * particles.modulus_factor(i);
+        hourglass_stiffness * (1. - new_damage) * particles.modulus_factor(i);
   }
 
 

@@ -200,6 +200,24 @@ namespace Morsel::SPH
   };
 
 
+  /// Energy softening of the particles of a group, see
+  /// Materials::energy_softening().
+  struct GroupSoftening
+  {
+    const Vector2 *half_velocity; ///< of all particles [m/s]
+    double         time_step;     ///< the coming one [s]
+    double         threshold[group_size]; ///< [1]
+    /// DamageLaw::range_at(), or 0 for particles that take no part [1].
+    double range[group_size];
+    double used[group_size]; ///< of the strength [1], before and after
+
+    double damage[group_size]; ///< after it [1]
+    /// Of those that soften: what a damage of one takes away, the mean of now
+    /// and the end of the coming step [J].
+    double released[group_size];
+  };
+
+
   /// The kernels of one instruction set. Ranges count groups.
   struct PairKernels
   {
@@ -215,6 +233,11 @@ namespace Morsel::SPH
                              const BondedConstants &constants,
                              unsigned int           group,
                              AveragedStress        &average);
+    using Soften    = bool (*)(const BondedArrays    &arrays,
+                            const BondedConstants &constants,
+                            unsigned int           group,
+                            const AveragedStress  &average,
+                            GroupSoftening        &state);
     using GrainPush = void (*)(const GrainArrays    &arrays,
                                const GrainConstants &constants,
                                GrainForce           *sums);
@@ -245,6 +268,8 @@ namespace Morsel::SPH
     Strain own_driver[3];
     /// [driver]: of the average over the neighbours, for one group.
     Average average_driver[3];
+    /// [driver][linear law]: see softening_kernels.h.
+    Soften soften[3][2];
     /// [Wendland C2].
     GrainPush grain_force[2];
     GrainRate grain_rate[2];
