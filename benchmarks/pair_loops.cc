@@ -166,7 +166,7 @@ namespace
                          {0.5, 0.5, 1., 1e5},
                          exposed,
                          diameters);
-    grains.take_over(failed);
+    grains.take_over(failed, {});
     grains.advance(1e-9);
     for (auto _ : state)
       {

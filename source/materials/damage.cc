@@ -188,9 +188,10 @@ namespace Morsel::Materials
                    const double             modulus_factor)
   {
     // Both ways of softening are linear in D.
-    const PlaneStrainStress whole = softened_stress(law, elasticity, stress, 0.);
-    const PlaneStrainStress left  = softened_stress(law, elasticity, stress, 1.);
-    const auto              at    = [&](const double D) -> PlaneStrainStress {
+    const PlaneStrainStress whole =
+        softened_stress(law, elasticity, stress, 0.);
+    const PlaneStrainStress left = softened_stress(law, elasticity, stress, 1.);
+    const auto              at   = [&](const double D) -> PlaneStrainStress {
       return {D * left.xx + (1. - D) * whole.xx,
               D * left.yy + (1. - D) * whole.yy,
               D * left.xy + (1. - D) * whole.xy,
@@ -205,10 +206,9 @@ namespace Morsel::Materials
 
     // The strength of this direction is where the softened stress, scaled,
     // meets s = 1.
-    const double capacity =
-        law.range_at(r, modulus_factor) * r * r *
-        energy_density(elasticity, at(state.damage)) /
-        (modulus_factor * s * s);
+    const double capacity = law.range_at(r, modulus_factor) * r * r *
+                            energy_density(elasticity, at(state.damage)) /
+                            (modulus_factor * s * s);
     const double use_per_damage = energy / capacity;
     const auto   excess         = [&](const double D) {
       return driver_at(D) -

@@ -69,12 +69,12 @@ namespace Morsel::SPH
       , own_driver(pair_kernels().own_driver[static_cast<int>(law.driver)])
       , average_driver(
             pair_kernels().average_driver[static_cast<int>(law.driver)])
-      , soften_lanes(
-            law.growth == Materials::Growth::energy_softening &&
-                    law.softening == Materials::Softening::deviator &&
-                    particles.fit.empty()
-                ? pair_kernels().soften[static_cast<int>(law.driver)][linear_law]
-                : nullptr)
+      , soften_lanes(law.growth == Materials::Growth::energy_softening &&
+                             law.softening == Materials::Softening::deviator &&
+                             particles.fit.empty()
+                         ? pair_kernels()
+                               .soften[static_cast<int>(law.driver)][linear_law]
+                         : nullptr)
       , average_stress(parameters.average_stress)
       , friend_distance_square(friend_distance * friend_distance)
       , hourglass_stiffness(loop_constants.uniform_hourglass)
@@ -308,8 +308,8 @@ namespace Morsel::SPH
   DamageEvolution::is_crushed(const unsigned int i) const
   {
     const Materials::Tensor2 &H = particles.gradient[i];
-    return !linear_law && !((1. + H.xx) * (1. + H.yy) - H.xy * H.yx >
-                            crushed_jacobian);
+    return !linear_law &&
+           !((1. + H.xx) * (1. + H.yy) - H.xy * H.yx > crushed_jacobian);
   }
 
 
@@ -357,11 +357,11 @@ namespace Morsel::SPH
       if (state.range[l] > 0.)
         {
           const unsigned int i = g * group_size + l;
-          const double       D =
-              state.used[l] >= failure_damage || state.damage[l] >= failure_damage
-                        ? 1.
-                        : state.damage[l];
-          particles.used[i] = state.used[l];
+          const double       D = state.used[l] >= failure_damage ||
+                                   state.damage[l] >= failure_damage
+                                     ? 1.
+                                     : state.damage[l];
+          particles.used[i]    = state.used[l];
           if (!(D > particles.damage[i]))
             continue;
           particles.damage_heat[i] +=

@@ -156,12 +156,12 @@ namespace Morsel::SPH
           const unsigned int i = members[m];
           const Vector2      v = particles.half_velocity[i];
           const auto         x = particles.position(i);
-          far = far || (x - built_at[m]).norm_square() >
-                           allowance[m] * allowance[m];
-          motion[m]            = {x[0] - 0.5 * time_step * v.x,
-                                  x[1] - 0.5 * time_step * v.y,
-                                  v.x,
-                                  v.y};
+          far                  = far ||
+                (x - built_at[m]).norm_square() > allowance[m] * allowance[m];
+          motion[m] = {x[0] - 0.5 * time_step * v.x,
+                       x[1] - 0.5 * time_step * v.y,
+                       v.x,
+                       v.y};
           area[m] = particles.area[i] * (member_failed[m] ? 1. / ratio[i] : 2.);
         }
       if (far)

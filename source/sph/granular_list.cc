@@ -70,7 +70,7 @@ namespace Morsel::SPH
     number_members();
 
     // The dummy is out of reach of everything.
-    dummy = n + (exchange ? foreign.size() : most_joining);
+    dummy            = n + (exchange ? foreign.size() : most_joining);
     const auto empty = [&](auto &values, const auto &far) {
       values.clear();
       values.resize(dummy + 1, far);
@@ -174,8 +174,7 @@ namespace Morsel::SPH
           grid.for_each_run(
               built_at[m],
               [&](const unsigned int begin, const unsigned int end) {
-                std::fill(
-                    affected.begin() + begin, affected.begin() + end, 1);
+                std::fill(affected.begin() + begin, affected.begin() + end, 1);
               });
         affected[m]      = 1;
         member_failed[m] = now;
@@ -212,8 +211,7 @@ namespace Morsel::SPH
             x, [&](const unsigned int begin, const unsigned int end) {
               for (unsigned int n = begin; n < end; ++n)
                 if (n != m)
-                  add_pair(
-                      block, pairs, m, n, (built_at[n] - x).norm_square());
+                  add_pair(block, pairs, m, n, (built_at[n] - x).norm_square());
             });
         for (unsigned int n = n_in_grid; n < members.size(); ++n)
           if (n != m)

@@ -258,11 +258,11 @@ namespace Morsel::SPH
     const PairKernels::Strain   own_driver;
     const PairKernels::Average  average_driver;
     /// Null where particles soften one by one or otherwise.
-    const PairKernels::Soften   soften_lanes;
-    const bool                  average_stress;
-    const double                friend_distance_square;
-    const double                hourglass_stiffness;
-    const std::vector<double>   strength; ///< of grains, or empty [1]
+    const PairKernels::Soften soften_lanes;
+    const bool                average_stress;
+    const double              friend_distance_square;
+    const double              hourglass_stiffness;
+    const std::vector<double> strength; ///< of grains, or empty [1]
     /// Where each flaw is followed on its own.
     std::unique_ptr<const Materials::ExplicitFlaws> flaws;
 

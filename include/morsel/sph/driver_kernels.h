@@ -134,7 +134,8 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           store(average.yy + offset, s.yy);
           store(average.xy + offset, s.xy);
           store(average.zz + offset, s.zz);
-          store(average.driver + offset, driver<kind>(c, s, tensile_cut_off(a, row)));
+          store(average.driver + offset,
+                driver<kind>(c, s, tensile_cut_off(a, row)));
         }
     }
   } // namespace

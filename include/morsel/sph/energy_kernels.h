@@ -73,8 +73,8 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
       else
         {
           const V F_xx = 1. + H.xx, F_yy = 1. + H.yy;
-          const V J  = F_xx * F_yy - H.xy * H.yx;
-          const V b  = F_xx * F_xx + H.xy * H.xy + H.yx * H.yx + F_yy * F_yy;
+          const V J = F_xx * F_yy - H.xy * H.yx;
+          const V b = F_xx * F_xx + H.xy * H.xy + H.yx * H.yx + F_yy * F_yy;
           return {
               larger(V{},
                      1.5 * c.mu *

@@ -92,10 +92,10 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           const V radial = c.contact_stiffness * gap * inverse_r;
           pressed += gap * gap;
 
-          f_x +=
-              w * ((own_xx + s_xx) * r_x + (own_xy + s_xy) * r_y) + radial * r_x;
-          f_y +=
-              w * ((own_xy + s_xy) * r_x + (own_yy + s_yy) * r_y) + radial * r_y;
+          f_x += w * ((own_xx + s_xx) * r_x + (own_xy + s_xy) * r_y) +
+                 radial * r_x;
+          f_y += w * ((own_xy + s_xy) * r_x + (own_yy + s_yy) * r_y) +
+                 radial * r_y;
         }
       f_x += g_x;
       f_y += g_y;

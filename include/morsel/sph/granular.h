@@ -265,7 +265,7 @@ namespace Morsel::SPH
     // Members stand cell by cell, followed by those that have joined or by
     // those of other ranks, and by a far dummy that fills up rows.
     std::vector<unsigned int>     members;
-    std::vector<unsigned int>     number;        ///< of each particle, or nobody
+    std::vector<unsigned int>     number; ///< of each particle, or nobody
     unsigned int                  n_in_grid = 0; ///< which do stand so
     unsigned int                  dummy     = 0;
     std::vector<unsigned int>     changed; ///< particles not yet listed as are

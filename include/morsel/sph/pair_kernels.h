@@ -204,8 +204,8 @@ namespace Morsel::SPH
   /// Materials::energy_softening().
   struct GroupSoftening
   {
-    const Vector2 *half_velocity; ///< of all particles [m/s]
-    double         time_step;     ///< the coming one [s]
+    const Vector2 *half_velocity;         ///< of all particles [m/s]
+    double         time_step;             ///< the coming one [s]
     double         threshold[group_size]; ///< [1]
     /// DamageLaw::range_at(), or 0 for particles that take no part [1].
     double range[group_size];

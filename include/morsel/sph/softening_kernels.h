@@ -114,8 +114,8 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
       {
         const V mean    = (s.xx + s.yy + s.zz) * (1. / 3.);
         const V pressed = smaller(mean, V{});
-        whole = {s.xx, s.yy, s.xy, c.poissons_ratio * (s.xx + s.yy)};
-        left  = {pressed, pressed, V{}, c.poissons_ratio * (2. * pressed)};
+        whole           = {s.xx, s.yy, s.xy, c.poissons_ratio * (s.xx + s.yy)};
+        left = {pressed, pressed, V{}, c.poissons_ratio * (2. * pressed)};
       }
 
       MORSEL_INLINE Stress
@@ -168,14 +168,14 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
                                         load(average.yy + offset),
                                         load(average.xy + offset),
                                         load(average.zz + offset)});
-          const V               cut_off = tensile_cut_off(a, row);
+          const V               cut_off   = tensile_cut_off(a, row);
           const auto            driver_at = [&](const V D) {
             return driver<kind>(c, stress.at(D), cut_off);
           };
-          const V    s        = driver_at(before);
-          V          value    = s - r * (1. - used);
-          const auto softens  = (range > 0.) & (value > 0.);
-          const auto nowhere  = softens & ~softens;
+          const V    s       = driver_at(before);
+          V          value   = s - r * (1. - used);
+          const auto softens = (range > 0.) & (value > 0.);
+          const auto nowhere = softens & ~softens;
           store(state.damage + offset, before);
           if (!any(softens))
             continue;
@@ -184,15 +184,15 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           const Releasable energy =
               releasable_energy<linear_law>(a, c, state, row, g, offset);
           V scale = all(1. / c.density);
-          scale *= gather(
-              [&](unsigned int l) { return &a.mass[row.particle(l)]; });
+          scale *=
+              gather([&](unsigned int l) { return &a.mass[row.particle(l)]; });
           V modulus = all(1.);
           if (a.modulus)
             modulus = gather(
                 [&](unsigned int l) { return &a.modulus[row.particle(l)]; });
-          const V per_damage = modulus * modulus * energy.now * s * s /
-                               (range * r * r *
-                                energy_density(c, stress.at(before)));
+          const V per_damage =
+              modulus * modulus * energy.now * s * s /
+              (range * r * r * energy_density(c, stress.at(before)));
           const auto excess = [&](const V D) {
             return driver_at(D) - r * (1. - used - per_damage * (D - before));
           };
@@ -205,8 +205,8 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
               going                 = going & (value > 1e-10 * s);
               if (!any(going))
                 break;
-              const V slope = (excess(D + step) - value) * (1. / step);
-              const V next  = D - value / slope;
+              const V    slope   = (excess(D + step) - value) * (1. / step);
+              const V    next    = D - value / slope;
               const auto too_far = going & ~((slope < 0.) & (next < 1.));
               fails              = fails | too_far;
               going              = going & ~too_far;
