@@ -13,7 +13,7 @@ namespace Morsel::SPH
     /// in so many steps at its speed, before the list is built anew; but no
     /// further than the largest share.
     constexpr double       least_allowance = 0.02, largest_allowance = 0.2;
-    constexpr unsigned int steps_allowed = 20;
+    constexpr unsigned int steps_allowed = 40;
 
     /// So many members may join before the list is built anew.
     constexpr unsigned int most_joining = 128;
