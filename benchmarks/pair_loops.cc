@@ -58,12 +58,12 @@ namespace
         build_conforming(across);
       else
         bonds.build(p, kernel, {}, {on_lattice});
-      bonds.make_breakable(kernel);
+      bonds.make_breakable(p, kernel);
       for (unsigned int i = 0; i < n; ++i)
         if (conforming)
           SPH::renew_conforming(p, bonds, i);
         else
-          p.shape.push_back(SPH::inverse(bonds.moment(i)));
+          p.shape.push_back(SPH::inverse(bonds.moment(p, i)));
 
       constants.mu                = material.mu;
       constants.bulk              = material.bulk;

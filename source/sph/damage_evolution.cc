@@ -104,7 +104,7 @@ namespace Morsel::SPH
         law.growth == Materials::Growth::grady_kipp)
       flaws = std::make_unique<Materials::ExplicitFlaws>(
           Materials::explicit_flaws(law.weibull_modulus, seed, n_all));
-    bonds.make_breakable(kernel);
+    bonds.make_breakable(particles, kernel);
     find_groups_nearby();
     find_direct_bonds();
     measure_cracks();
@@ -119,7 +119,8 @@ namespace Morsel::SPH
       for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
            ++k)
         is_direct[k] =
-            bonds.length_square(k) > friend_distance_square && !supported(i, k);
+            bonds.length_square(particles, i, k) > friend_distance_square &&
+            !supported(i, k);
   }
 
 

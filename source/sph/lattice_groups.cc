@@ -74,7 +74,7 @@ namespace Morsel::SPH
     for (unsigned int g = 0; g * group_size < first_without_ghosts; ++g)
       use[g] |= needs_records;
     for (unsigned int i = 0; i < bonds.list.n_rows(); ++i)
-      adjust(particles, bonds, i);
+      adjust_weights(particles, bonds, i);
     for (auto &column : columns)
       column.resize(n_groups * group_size, 0.);
   }
@@ -90,7 +90,7 @@ namespace Morsel::SPH
       return false;
     std::vector<unsigned int> of_first, entries;
     find_entries(bonds, begin, of_first);
-    if (x.empty() && !make_pattern(particles, bonds, of_first))
+    if (x.empty() && !make_pattern(particles, bonds, begin, of_first))
       return false;
 
     const unsigned int n_twos = x.size();
@@ -104,7 +104,9 @@ namespace Morsel::SPH
             const unsigned int j = bonds.list.index[entries[k]];
             if (j != bonds.list.index[of_first[k]] + (i - begin) ||
                 j >= particles.n_owned ||
-                !is_pair(particles, bonds, entries[k], k))
+                !is_pair(bonds.offset(particles, i, entries[k]),
+                         bonds.weight[entries[k]],
+                         k))
               return false;
           }
       }
@@ -113,27 +115,24 @@ namespace Morsel::SPH
 
 
   bool
-  LatticeGroups::is_pair(const Particles   &particles,
-                         const Bonds       &bonds,
-                         const unsigned int entry,
+  LatticeGroups::is_pair(const Vector2     &offset,
+                         const double       weight_of_pair,
                          const unsigned int k) const
   {
     const unsigned int n_twos = x.size();
     const bool         back   = k < n_twos;
     const unsigned int t      = back ? k : 2 * n_twos - 1 - k;
-    const double       sign = back ? -1. : 1., spacing = particles.spacing;
-    return std::abs(bonds.dx[entry] - sign * x[t]) <
-               lattice_tolerance * spacing &&
-           std::abs(bonds.dy[entry] - sign * y[t]) <
-               lattice_tolerance * spacing &&
-           std::abs(bonds.weight[entry] - weight[t]) <
-               lattice_tolerance * heaviest;
+    const double       sign   = back ? -1. : 1.;
+    return std::abs(offset.x - sign * x[t]) < lattice_tolerance * spacing &&
+           std::abs(offset.y - sign * y[t]) < lattice_tolerance * spacing &&
+           std::abs(weight_of_pair - weight[t]) < lattice_tolerance * heaviest;
   }
 
 
   bool
   LatticeGroups::make_pattern(const Particles                 &particles,
                               const Bonds                     &bonds,
+                              const unsigned int               i,
                               const std::vector<unsigned int> &row)
   {
     const unsigned int n = row.size();
@@ -142,13 +141,16 @@ namespace Morsel::SPH
     for (unsigned int k = 0; k < n / 2; ++k)
       {
         const unsigned int back = row[k], ahead = row[n - 1 - k];
-        x.push_back(0.5 * (bonds.dx[ahead] - bonds.dx[back]));
-        y.push_back(0.5 * (bonds.dy[ahead] - bonds.dy[back]));
+        const Vector2      X = bonds.offset(particles, i, back);
+        const Vector2      Y = bonds.offset(particles, i, ahead);
+        x.push_back(0.5 * (Y.x - X.x));
+        y.push_back(0.5 * (Y.y - X.y));
         weight.push_back(0.5 * (bonds.weight[back] + bonds.weight[ahead]));
       }
     heaviest = *std::max_element(weight.begin(), weight.end());
+    spacing  = particles.spacing;
     for (unsigned int k = 0; k < n; ++k)
-      if (!is_pair(particles, bonds, row[k], k))
+      if (!is_pair(bonds.offset(particles, i, row[k]), bonds.weight[row[k]], k))
         {
           x.clear();
           y.clear();
@@ -172,30 +174,59 @@ namespace Morsel::SPH
   }
 
 
+  unsigned int
+  LatticeGroups::pair_of(const Vector2     &offset,
+                         const Bonds       &bonds,
+                         const unsigned int i,
+                         const unsigned int entry) const
+  {
+    // In a full row the pairs come in the order of the pattern.
+    const unsigned int n     = 2 * x.size();
+    const unsigned int begin = bonds.list.start[i];
+    const unsigned int end   = bonds.list.start[i + 1];
+    const double       w     = bonds.weight[entry];
+    if (end - begin == n && is_pair(offset, w, entry - begin))
+      return entry - begin;
+    for (unsigned int k = 0; k < n; ++k)
+      if (is_pair(offset, w, k))
+        return k;
+    return n;
+  }
+
+
+  Vector2
+  LatticeGroups::adjusted(const Vector2     &offset,
+                          const Bonds       &bonds,
+                          const unsigned int i,
+                          const unsigned int entry) const
+  {
+    if (empty())
+      return offset;
+    const unsigned int n_twos = x.size();
+    const unsigned int k      = pair_of(offset, bonds, i, entry);
+    if (k >= 2 * n_twos)
+      return offset;
+    const bool         back = k < n_twos;
+    const unsigned int t    = back ? k : 2 * n_twos - 1 - k;
+    const double       sign = back ? -1. : 1.;
+    return {sign * x[t], sign * y[t]};
+  }
+
+
   void
-  LatticeGroups::adjust(const Particles   &particles,
-                        Bonds             &bonds,
-                        const unsigned int i) const
+  LatticeGroups::adjust_weights(const Particles   &particles,
+                                Bonds             &bonds,
+                                const unsigned int i) const
   {
     const unsigned int n_twos = x.size();
-    const unsigned int begin  = bonds.list.start[i];
-    const unsigned int end    = bonds.list.start[i + 1];
-    for (unsigned int entry = begin; entry < end; ++entry)
+    for (unsigned int entry = bonds.list.start[i];
+         entry < bonds.list.start[i + 1];
+         ++entry)
       {
-        // In a full row the pairs come in the order of the pattern.
-        unsigned int k = entry - begin;
-        if (end - begin != 2 * n_twos || !is_pair(particles, bonds, entry, k))
-          for (k = 0; k < 2 * n_twos; ++k)
-            if (is_pair(particles, bonds, entry, k))
-              break;
-        if (k >= 2 * n_twos)
-          continue;
-        const bool         back = k < n_twos;
-        const unsigned int t    = back ? k : 2 * n_twos - 1 - k;
-        const double       sign = back ? -1. : 1.;
-        bonds.dx[entry]         = sign * x[t];
-        bonds.dy[entry]         = sign * y[t];
-        bonds.weight[entry]     = weight[t];
+        const unsigned int k =
+            pair_of(bonds.offset(particles, i, entry), bonds, i, entry);
+        if (k < 2 * n_twos)
+          bonds.weight[entry] = weight[k < n_twos ? k : 2 * n_twos - 1 - k];
       }
   }
 
