@@ -21,14 +21,13 @@
 namespace Morsel
 {
   /// @param object with exchange_state(StateArchive &)
-  /// @param object with exchange_state(StateArchive &)
   template <typename Object>
   std::string
   saved_state(Object &object)
   {
     StateArchive archive;
     object.exchange_state(archive);
-    return archive.buffer();
+    return std::move(archive).buffer();
   }
 
 

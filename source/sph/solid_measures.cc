@@ -128,7 +128,8 @@ namespace Morsel::SPH
   double
   Solid::neighbours_per_particle() const
   {
-    return host.sum(static_cast<double>(bonds.n_packed())) / host.n_global();
+    return host.sum(static_cast<double>(bonds.list.start[particles.n_owned])) /
+           host.n_global();
   }
 
 

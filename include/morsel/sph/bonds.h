@@ -127,7 +127,7 @@ namespace Morsel::SPH
     void
     exchange_state(StateArchive &state, const Particles &particles);
 
-    /// Entries in the rows of the owned particles.
+    /// Entries in the rows of the owned particles; 0 where none can be cut.
     unsigned int
     n_packed() const
     {
