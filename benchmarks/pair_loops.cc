@@ -58,12 +58,12 @@ namespace
         build_conforming(across);
       else
         bonds.build(p, kernel, {}, {on_lattice});
-      bonds.make_breakable(kernel);
+      bonds.make_breakable(p, kernel);
       for (unsigned int i = 0; i < n; ++i)
         if (conforming)
           SPH::renew_conforming(p, bonds, i);
         else
-          p.shape.push_back(SPH::inverse(bonds.moment(i)));
+          p.shape.push_back(SPH::inverse(bonds.moment(p, i)));
 
       constants.mu                = material.mu;
       constants.bulk              = material.bulk;
@@ -166,7 +166,7 @@ namespace
                          {0.5, 0.5, 1., 1e5},
                          exposed,
                          diameters);
-    grains.take_over(failed);
+    grains.take_over(failed, {});
     grains.advance(1e-9);
     for (auto _ : state)
       {

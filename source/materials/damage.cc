@@ -187,8 +187,18 @@ namespace Morsel::Materials
                    const Softened          &state,
                    const double             modulus_factor)
   {
+    // Both ways of softening are linear in D.
+    const PlaneStrainStress whole =
+        softened_stress(law, elasticity, stress, 0.);
+    const PlaneStrainStress left = softened_stress(law, elasticity, stress, 1.);
+    const auto              at   = [&](const double D) -> PlaneStrainStress {
+      return {D * left.xx + (1. - D) * whole.xx,
+              D * left.yy + (1. - D) * whole.yy,
+              D * left.xy + (1. - D) * whole.xy,
+              D * left.zz + (1. - D) * whole.zz};
+    };
     const auto driver_at = [&](const double D) {
-      return softened_driver(law, elasticity, stress, cut_off, D);
+      return driver_value(law, elasticity, at(D), cut_off);
     };
     const double s = driver_at(state.damage);
     if (s <= r * (1. - state.used))
@@ -196,11 +206,9 @@ namespace Morsel::Materials
 
     // The strength of this direction is where the softened stress, scaled,
     // meets s = 1.
-    const double capacity =
-        law.range_at(r, modulus_factor) * r * r *
-        energy_density(elasticity,
-                       softened_stress(law, elasticity, stress, state.damage)) /
-        (modulus_factor * s * s);
+    const double capacity = law.range_at(r, modulus_factor) * r * r *
+                            energy_density(elasticity, at(state.damage)) /
+                            (modulus_factor * s * s);
     const double use_per_damage = energy / capacity;
     const auto   excess         = [&](const double D) {
       return driver_at(D) -
@@ -209,17 +217,17 @@ namespace Morsel::Materials
 
     // Convex: Newton's method comes from the left to the first root. Where
     // there is none, more energy is stored than can be used up: it fails.
-    double D = state.damage;
+    double D = state.damage, value = s - r * (1. - state.used);
     for (unsigned int iteration = 0; iteration < 30; ++iteration)
       {
-        constexpr double step  = 1e-7;
-        const double     value = excess(D);
+        constexpr double step = 1e-7;
         if (value <= 1e-10 * s)
           return {D, state.used + use_per_damage * (D - state.damage)};
         const double slope = (excess(D + step) - value) / step;
         if (!(slope < 0.) || D - value / slope >= 1.)
           break;
         D -= value / slope;
+        value = excess(D);
       }
     return {1., 1.};
   }

@@ -47,7 +47,7 @@ namespace Morsel::Measure
     const auto areas     = of_whole_body(solid, p.area);
     const auto joined =
         components(solid, [&bonds](const unsigned int, const unsigned int k) {
-          return bonds.live[k] != 0;
+          return bonds.live.empty() || bonds.live[k] != 0;
         });
     Fragments result = find_fragments(
         alive, joined, positions, areas, p.spacing, fragment_share);

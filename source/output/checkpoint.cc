@@ -23,7 +23,7 @@ namespace Morsel::Output
     namespace MPI = dealii::Utilities::MPI;
 
     /// Of the layout of the state; a new one where classes change theirs.
-    constexpr int format = 3;
+    constexpr int format = 4;
 
     const std::string list_ending = ".json";
 

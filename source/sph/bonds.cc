@@ -16,36 +16,24 @@ namespace Morsel::SPH
                         options.breaks ? particles.n_local : particles.n_owned,
                         kernel.support());
     keep_visible(list, particles.reference, visibility);
-    set_offsets(particles);
     weight.resize(list.index.size());
-    for (unsigned int k = 0; k < weight.size(); ++k)
-      weight[k] = particles.area[list.index[k]] *
-                  kernel.gradient_weight(std::sqrt(length_square(k)));
-    live.assign(weight.size(), true);
-    if (options.search_lattice)
-      lattice.find(particles, *this, options.first_without_ghosts);
-    pack(particles.n_owned, options.breaks);
-  }
-
-
-  void
-  Bonds::set_offsets(const Particles &particles)
-  {
-    dx.resize(list.index.size());
-    dy.resize(list.index.size());
     for (unsigned int i = 0; i < list.n_rows(); ++i)
       for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
-        {
-          const auto X =
-              particles.reference[list.index[k]] - particles.reference[i];
-          dx[k] = X[0];
-          dy[k] = X[1];
-        }
+        weight[k] =
+            particles.area[list.index[k]] *
+            kernel.gradient_weight(std::sqrt(length_square(particles, i, k)));
+    if (options.breaks)
+      live.assign(weight.size(), true);
+    if (options.search_lattice)
+      lattice.find(particles, *this, options.first_without_ghosts);
+    pack(particles, particles.n_owned, options.breaks);
   }
 
 
   void
-  Bonds::pack(const unsigned int n_rows, const bool all)
+  Bonds::pack(const Particles   &particles,
+              const unsigned int n_rows,
+              const bool         all)
   {
     const unsigned int n_groups = (n_rows + group_size - 1) / group_size;
     packed.slot_begin.assign(1, 0);
@@ -86,9 +74,17 @@ namespace Morsel::SPH
             packed.index[packed.place[k]] = list.index[k];
           }
       }
-    pack([&](const unsigned int k) { return weight[k]; }, packed.weight);
-    pack([&](const unsigned int k) { return dx[k]; }, packed.dx);
-    pack([&](const unsigned int k) { return dy[k]; }, packed.dy);
+    const auto offset_of = [&](const unsigned int i, const unsigned int k) {
+      return lattice.adjusted(offset(particles, i, k), *this, i, k);
+    };
+    pack([&](unsigned int, const unsigned int k) { return weight[k]; },
+         packed.weight);
+    pack([&](const unsigned int i,
+             const unsigned int k) { return offset_of(i, k).x; },
+         packed.dx);
+    pack([&](const unsigned int i,
+             const unsigned int k) { return offset_of(i, k).y; },
+         packed.dy);
   }
 
 
@@ -102,16 +98,17 @@ namespace Morsel::SPH
 
 
   void
-  Bonds::make_breakable(const Kernel &kernel)
+  Bonds::make_breakable(const Particles &particles, const Kernel &kernel)
   {
     mirror.resize(list.index.size());
     for (unsigned int i = 0; i < list.n_rows(); ++i)
       for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
         mirror[k] = find(list.index[k], i);
     pack(
-        [&](const unsigned int k) {
-          return weight[k] > 0. ? kernel.value(std::sqrt(length_square(k)))
-                                : 0.;
+        [&](const unsigned int i, const unsigned int k) {
+          return weight[k] > 0.
+                     ? kernel.value(std::sqrt(length_square(particles, i, k)))
+                     : 0.;
         },
         packed.average);
   }
@@ -162,29 +159,31 @@ namespace Morsel::SPH
 
 
   Symmetric2
-  Bonds::moment(const unsigned int i) const
+  Bonds::moment(const Particles &particles, const unsigned int i) const
   {
     Symmetric2 m{0., 0., 0.};
     for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
       {
-        m.xx += weight[k] * dx[k] * dx[k];
-        m.yy += weight[k] * dy[k] * dy[k];
-        m.xy += weight[k] * dx[k] * dy[k];
+        const Vector2 X = offset(particles, i, k);
+        m.xx += weight[k] * X.x * X.x;
+        m.yy += weight[k] * X.y * X.y;
+        m.xy += weight[k] * X.x * X.y;
       }
     return m;
   }
 
 
   Tensor2
-  Bonds::gradient_moment(const unsigned int i) const
+  Bonds::gradient_moment(const Particles &particles, const unsigned int i) const
   {
     Tensor2 m{0., 0., 0., 0.};
     for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
       {
-        m.xx += dx[k] * own[k].x;
-        m.xy += dx[k] * own[k].y;
-        m.yx += dy[k] * own[k].x;
-        m.yy += dy[k] * own[k].y;
+        const Vector2 X = offset(particles, i, k);
+        m.xx += X.x * own[k].x;
+        m.xy += X.x * own[k].y;
+        m.yx += X.y * own[k].x;
+        m.yy += X.y * own[k].y;
       }
     return m;
   }
@@ -211,10 +210,11 @@ namespace Morsel::SPH
     double x = 0., y = 0.;
     for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
       {
-        const double w = particles.area[list.index[k]] *
-                         kernel.gradient_weight(std::sqrt(length_square(k)));
-        x += w * dx[k];
-        y += w * dy[k];
+        const Vector2 X = offset(particles, i, k);
+        const double  w = particles.area[list.index[k]] *
+                         kernel.gradient_weight(std::hypot(X.x, X.y));
+        x += w * X.x;
+        y += w * X.y;
       }
     return std::hypot(x, y);
   }

@@ -45,7 +45,6 @@ namespace Morsel::SPH
     const ResidualControl  control  = residual_control(shape, 1.);
 
     list = symmetric_union(gradient.list, control.list);
-    set_offsets(particles);
     weight.assign(list.index.size(), 0.);
     own.assign(list.index.size(), {0., 0.});
     back.assign(list.index.size(), {0., 0.});
@@ -72,17 +71,21 @@ namespace Morsel::SPH
     full_moment =
         0.5 * (1. - particles.spacing * particles.spacing * kernel.value(0.));
 
-    pack(list.n_rows());
-    pack([&](const unsigned int k) { return own[k].x; }, packed.own_x);
-    pack([&](const unsigned int k) { return own[k].y; }, packed.own_y);
-    pack([&](const unsigned int k) { return back[k].x; }, packed.back_x);
-    pack([&](const unsigned int k) { return back[k].y; }, packed.back_y);
+    pack(particles, list.n_rows());
+    pack([&](unsigned int, const unsigned int k) { return own[k].x; },
+         packed.own_x);
+    pack([&](unsigned int, const unsigned int k) { return own[k].y; },
+         packed.own_y);
+    pack([&](unsigned int, const unsigned int k) { return back[k].x; },
+         packed.back_x);
+    pack([&](unsigned int, const unsigned int k) { return back[k].y; },
+         packed.back_y);
     pack(
-        [&](const unsigned int k) {
-          return weight[k] > 0.
-                     ? particles.area[list.index[k]] *
-                           kernel.gradient_weight(std::sqrt(length_square(k)))
-                     : 0.;
+        [&](const unsigned int i, const unsigned int k) {
+          return weight[k] > 0. ? particles.area[list.index[k]] *
+                                      kernel.gradient_weight(std::sqrt(
+                                          length_square(particles, i, k)))
+                                : 0.;
         },
         packed.damping);
   }

@@ -69,6 +69,12 @@ namespace Morsel::SPH
       , own_driver(pair_kernels().own_driver[static_cast<int>(law.driver)])
       , average_driver(
             pair_kernels().average_driver[static_cast<int>(law.driver)])
+      , soften_lanes(law.growth == Materials::Growth::energy_softening &&
+                             law.softening == Materials::Softening::deviator &&
+                             particles.fit.empty()
+                         ? pair_kernels()
+                               .soften[static_cast<int>(law.driver)][linear_law]
+                         : nullptr)
       , average_stress(parameters.average_stress)
       , friend_distance_square(friend_distance * friend_distance)
       , hourglass_stiffness(loop_constants.uniform_hourglass)
@@ -98,7 +104,7 @@ namespace Morsel::SPH
         law.growth == Materials::Growth::grady_kipp)
       flaws = std::make_unique<Materials::ExplicitFlaws>(
           Materials::explicit_flaws(law.weibull_modulus, seed, n_all));
-    bonds.make_breakable(kernel);
+    bonds.make_breakable(particles, kernel);
     find_groups_nearby();
     find_direct_bonds();
     measure_cracks();
@@ -113,7 +119,8 @@ namespace Morsel::SPH
       for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
            ++k)
         is_direct[k] =
-            bonds.length_square(k) > friend_distance_square && !supported(i, k);
+            bonds.length_square(particles, i, k) > friend_distance_square &&
+            !supported(i, k);
   }
 
 
@@ -169,6 +176,7 @@ namespace Morsel::SPH
   {
     time_step = coming_step;
     newly_failed.clear();
+    parted.clear();
     failed_anywhere = false;
     if (ranks)
       exchange_ghosts_start();
@@ -229,9 +237,13 @@ namespace Morsel::SPH
   void
   DamageEvolution::grow(const BondedArrays &arrays, const unsigned int g)
   {
-    AveragedStress average;
+    AveragedStress stress;
     if (average_stress)
-      average_driver(arrays, constants, g, average);
+      average_driver(arrays, constants, g, stress);
+    else
+      take_own_stress(g, stress);
+    if (soften_lanes)
+      soften_group(arrays, g, stress);
     for (unsigned int l = 0; l < group_size; ++l)
       {
         const unsigned int i = g * group_size + l;
@@ -239,22 +251,13 @@ namespace Morsel::SPH
           continue;
         const double r = particles.threshold[i];
         const double f = strength.empty() ? 1. : strength[i];
-        const auto  &H = particles.gradient[i];
-        const double J = (1. + H.xx) * (1. + H.yy) - H.xy * H.yx;
-        const double s = average_stress
-                             ? average.driver[l]
-                             : Materials::driver_value(law,
-                                                       material,
-                                                       particles.effective[i],
-                                                       !particles.near_face[i]);
-        if (!linear_law && !(J > crushed_jacobian))
+        const double s = stress.driver[l];
+        if (is_crushed(i))
           release_damage(i, 1.);
         else if (law.growth == Materials::Growth::energy_softening)
           {
-            if (s > r * (1. - particles.used[i]))
-              soften(i,
-                     average_stress ? average.stress(l)
-                                    : particles.effective[i]);
+            if (!soften_lanes && s > r * (1. - particles.used[i]))
+              soften(i, stress.stress(l));
           }
         else if (flaws)
           release_damage(i,
@@ -285,6 +288,34 @@ namespace Morsel::SPH
   }
 
 
+  void
+  DamageEvolution::take_own_stress(const unsigned int g,
+                                   AveragedStress    &stress) const
+  {
+    for (unsigned int l = 0; l < group_size; ++l)
+      {
+        const unsigned int i =
+            std::min(g * group_size + l, particles.n_owned - 1);
+        const Materials::PlaneStrainStress &own = particles.effective[i];
+        stress.xx[l]                            = own.xx;
+        stress.yy[l]                            = own.yy;
+        stress.xy[l]                            = own.xy;
+        stress.zz[l]                            = own.zz;
+        stress.driver[l]                        = Materials::driver_value(
+            law, material, own, !particles.near_face[i]);
+      }
+  }
+
+
+  bool
+  DamageEvolution::is_crushed(const unsigned int i) const
+  {
+    const Materials::Tensor2 &H = particles.gradient[i];
+    return !linear_law &&
+           !((1. + H.xx) * (1. + H.yy) - H.xy * H.yx > crushed_jacobian);
+  }
+
+
   double
   DamageEvolution::weakest_in(const unsigned int g) const
   {
@@ -296,6 +327,50 @@ namespace Morsel::SPH
         weakest = std::min(weakest,
                            particles.threshold[i] * (1. - particles.used[i]));
     return weakest;
+  }
+
+
+  void
+  DamageEvolution::soften_group(const BondedArrays   &arrays,
+                                const unsigned int    g,
+                                const AveragedStress &stress)
+  {
+    GroupSoftening state;
+    state.half_velocity = particles.half_velocity.data();
+    state.time_step     = time_step;
+    bool any            = false;
+    for (unsigned int l = 0; l < group_size; ++l)
+      {
+        const unsigned int i =
+            std::min(g * group_size + l, particles.n_owned - 1);
+        const double r     = particles.threshold[i];
+        state.threshold[l] = r;
+        state.used[l]      = particles.used[i];
+        state.range[l]     = 0.;
+        if (g * group_size + l < particles.n_owned && !particles.failed[i] &&
+            stress.driver[l] > r * (1. - particles.used[i]) && !is_crushed(i))
+          {
+            state.range[l] = law.range_at(r, particles.modulus_factor(i));
+            any            = true;
+          }
+      }
+    if (!any || !soften_lanes(arrays, constants, g, stress, state))
+      return;
+    for (unsigned int l = 0; l < group_size; ++l)
+      if (state.range[l] > 0.)
+        {
+          const unsigned int i = g * group_size + l;
+          const double       D = state.used[l] >= failure_damage ||
+                                   state.damage[l] >= failure_damage
+                                     ? 1.
+                                     : state.damage[l];
+          particles.used[i]    = state.used[l];
+          if (!(D > particles.damage[i]))
+            continue;
+          particles.damage_heat[i] +=
+              state.released[l] * (D - particles.damage[i]);
+          set_damage(i, D);
+        }
   }
 
 

@@ -80,9 +80,16 @@ namespace Morsel::SPH
     const double D = new_damage >= failure_damage ? 1. : new_damage;
     particles.damage_heat[i] +=
         mean_energy(i, ends, old) - mean_energy(i, ends, D);
-    particles.damage[i] = D;
+    set_damage(i, D);
+  }
+
+
+  void
+  DamageEvolution::set_damage(const unsigned int i, const double new_damage)
+  {
+    particles.damage[i] = new_damage;
     particles.hourglass[i] =
-        hourglass_stiffness * (1. - D) * particles.modulus_factor(i);
+        hourglass_stiffness * (1. - new_damage) * particles.modulus_factor(i);
   }
 
 
@@ -170,7 +177,8 @@ namespace Morsel::SPH
     bool any = false;
     for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
       if (bonds.live[k] && !is_direct[k] &&
-          bonds.length_square(k) > friend_distance_square && !supported(i, k))
+          bonds.length_square(particles, i, k) > friend_distance_square &&
+          !supported(i, k))
         {
           cut(k, i);
           suspects.push_back(bonds.list.index[k]);
@@ -187,13 +195,14 @@ namespace Morsel::SPH
   bool
   DamageEvolution::supported(const unsigned int i, const unsigned int k) const
   {
-    const unsigned int j     = bonds.list.index[k];
-    const double       limit = (1. - 1e-9) * bonds.length_square(k);
+    const unsigned int j = bonds.list.index[k];
+    const double limit   = (1. - 1e-9) * bonds.length_square(particles, i, k);
     for (unsigned int l = bonds.list.start[i]; l < bonds.list.start[i + 1]; ++l)
-      if (bonds.live[l] && bonds.length_square(l) < limit)
+      if (bonds.live[l] && bonds.length_square(particles, i, l) < limit)
         {
           const long m = bonds.find(bonds.list.index[l], j);
-          if (m >= 0 && bonds.live[m] && bonds.length_square(m) < limit)
+          if (m >= 0 && bonds.live[m] &&
+              bonds.length_square(particles, bonds.list.index[l], m) < limit)
             return true;
         }
     return false;
@@ -229,6 +238,7 @@ namespace Morsel::SPH
     for (const auto &[i, energy_before, gradient_before] : touched)
       {
         is_touched[i] = 0;
+        parted.push_back(i);
         if (particles.failed[i])
           {
             particles.driver[i] = 0.;
@@ -244,7 +254,7 @@ namespace Morsel::SPH
                     i, ends_at(particles.gradient[i], gradient_before), 1.);
             continue;
           }
-        const Symmetric2 m = bonds.moment(i);
+        const Symmetric2 m = bonds.moment(particles, i);
         if (smaller_eigenvalue(m) < smallest_moment * bonds.full_moment)
           {
             // Its energy is released when it fails, right after this.

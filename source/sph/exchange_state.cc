@@ -84,9 +84,8 @@ namespace Morsel::SPH
     state.particles(ratio, deviator, energy, grain_heat, pair_friction_heat);
     state.particles(penalty_energy);
     state.same(any_failed);
-    if (state.loads())
-      watch.forget();
-    state.cache(members, member_failed, built_at);
+    state.cache(members, member_failed, built_at, allowance);
+    state.cache(n_in_grid, dummy, changed, longest_allowance);
     state.cache(motion, member_stress, size, area, mass, foreign);
 
     // As many records on any number of ranks.
@@ -96,8 +95,9 @@ namespace Morsel::SPH
       plan = exchange->get_plan();
     for (const Block &block : blocks)
       lists.insert(lists.end(),
-                   {{block.first, block.last},
-                    block.grain_start,
+                   {{block.first, block.last, block.n_rows, block.n_grains},
+                    block.row,
+                    block.slot_begin,
                     block.grain_pair,
                     block.live_start,
                     block.live_pair});
@@ -108,14 +108,20 @@ namespace Morsel::SPH
       return;
     if (exchange)
       exchange->set_plan(plan);
+    number_members();
+    grid.build({built_at.begin(), built_at.begin() + n_in_grid},
+               kernel.support() + 2. * longest_allowance);
     blocks.clear();
-    for (unsigned int k = 0; k + 4 < lists.size(); k += 5)
+    for (unsigned int k = 0; k + 5 < lists.size(); k += 6)
       blocks.push_back({lists[k][0],
                         lists[k][1],
+                        lists[k][2],
+                        lists[k][3],
                         lists[k + 1],
                         lists[k + 2],
                         lists[k + 3],
-                        lists[k + 4]});
+                        lists[k + 4],
+                        lists[k + 5]});
   }
 
 

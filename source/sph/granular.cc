@@ -2,6 +2,7 @@
 #include <morsel/sph/granular.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -71,7 +72,8 @@ namespace Morsel::SPH
 
 
   void
-  Granular::take_over(const std::vector<unsigned int> &failed)
+  Granular::take_over(const std::vector<unsigned int> &failed,
+                      const std::vector<unsigned int> &parted)
   {
     for (const unsigned int i : failed)
       {
@@ -81,16 +83,31 @@ namespace Morsel::SPH
         deviator[i]    = {0., 0., 0.};
         energy[i]      = grain_energy(i);
       }
-    any_failed = stale = true;
+    stale      = stale || exchange || !any_failed;
+    any_failed = true;
+    changed.insert(changed.end(), parted.begin(), parted.end());
   }
 
 
   void
   Granular::advance(const double time_step)
   {
-    if (stale || moved_far())
-      rebuild_list();
-    gather_rates(time_step);
+    bool old = stale;
+    if (!old)
+      {
+        if (!changed.empty())
+          amend_list(time_step);
+        old = gather_rates(time_step);
+        if (ranks)
+          old = ranks->maximum(old) > 0.;
+      }
+    if (old)
+      {
+        rebuild_list(time_step);
+        gather_rates(time_step);
+      }
+    if (exchange)
+      exchange_rates_of_members();
     parallel_for(
         blocks.size(),
         [&](unsigned int begin, unsigned int end) {
@@ -98,46 +115,59 @@ namespace Morsel::SPH
           for (unsigned int b = begin; b < end; ++b)
             {
               const Block &block = blocks[b];
-              rate_loop({block.grain_start.data(),
-                         block.grain_pair.data(),
-                         member_failed.data(),
-                         block.last - block.first,
-                         block.first,
-                         motion.data(),
-                         nullptr,
-                         nullptr,
-                         nullptr,
-                         area.data()},
-                        loop_constants,
-                        rates);
-              for (unsigned int m = block.first; m < block.last; ++m)
-                if (member_failed[m])
+              rate_loop(rows_of(block), loop_constants, rates);
+              for (unsigned int r = 0; r < block.n_grains; ++r)
+                {
+                  const unsigned int m = block.row[r];
                   advance_grain(members[m], rates[m - block.first], time_step);
+                }
             }
         },
         4);
   }
 
 
-  void
+  GrainArrays
+  Granular::rows_of(const Block &block) const
+  {
+    return {block.row.data(),
+            block.slot_begin.data(),
+            block.grain_pair.data(),
+            block.n_rows,
+            block.n_grains,
+            block.first,
+            motion.data(),
+            member_stress.data(),
+            size.data(),
+            mass.data(),
+            area.data()};
+  }
+
+
+  bool
   Granular::gather_rates(const double time_step)
   {
     // Positions at the middle of the step; a live neighbour counts twice.
+    std::atomic<bool> moved_far(false);
     parallel_for(members.size(), [&](unsigned int begin, unsigned int end) {
+      bool far = false;
       for (unsigned int m = begin; m < end; ++m)
         {
           const unsigned int i = members[m];
           const Vector2      v = particles.half_velocity[i];
           const auto         x = particles.position(i);
-          motion[m]            = {x[0] - 0.5 * time_step * v.x,
-                                  x[1] - 0.5 * time_step * v.y,
-                                  v.x,
-                                  v.y};
+          far                  = far ||
+                (x - built_at[m]).norm_square() > allowance[m] * allowance[m];
+          motion[m] = {x[0] - 0.5 * time_step * v.x,
+                       x[1] - 0.5 * time_step * v.y,
+                       v.x,
+                       v.y};
           area[m] = particles.area[i] * (member_failed[m] ? 1. / ratio[i] : 2.);
         }
+      if (far)
+        moved_far = true;
     });
-    if (exchange)
-      exchange_rates_of_members();
+    return moved_far;
   }
 
 
@@ -193,7 +223,7 @@ namespace Morsel::SPH
   Granular::add_forces(const double time_step)
   {
     if (stale) // from a checkpoint of another number of ranks
-      rebuild_list();
+      rebuild_list(time_step);
     gather_state();
     parallel_for(
         blocks.size(),
@@ -233,19 +263,8 @@ namespace Morsel::SPH
   void
   Granular::push(const Block &block, const double dt)
   {
-    GrainForce sums[block_size];
-    force_loop({block.grain_start.data(),
-                block.grain_pair.data(),
-                member_failed.data(),
-                block.last - block.first,
-                block.first,
-                motion.data(),
-                member_stress.data(),
-                size.data(),
-                mass.data(),
-                nullptr},
-               loop_constants,
-               sums);
+    GrainForce sums[block_size] = {};
+    force_loop(rows_of(block), loop_constants, sums);
     for (unsigned int m = block.first; m < block.last; ++m)
       {
         const unsigned int i      = members[m];

@@ -24,9 +24,8 @@ namespace Morsel::SPH
 
 
   void
-  Granular::find_foreign()
+  Granular::find_foreign(const double reach)
   {
-    const double reach = largest_reach();
     exchange->find(built_at, grid, reach);
     foreign.clear();
     exchange->exchange<Foreign>(
@@ -36,11 +35,15 @@ namespace Morsel::SPH
                   built_at[m],
                   member_size(m),
                   particles.mass[i],
+                  allowance[m],
                   member_failed[m]};
         },
         [&](const unsigned int, const Foreign &f) { foreign.push_back(f); });
     for (const Foreign &f : foreign)
-      member_failed.push_back(f.failed);
+      {
+        member_failed.push_back(f.failed);
+        allowance.push_back(f.allowance);
+      }
 
     // The search is that of the plan: round the foreign ones in this rank's
     // grid, for theirs may lie anywhere.

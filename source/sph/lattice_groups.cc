@@ -64,7 +64,7 @@ namespace Morsel::SPH
         if (use[g] & regular)
           {
             find_entries(bonds, g * group_size, entries);
-            in_order(particles, bonds, entries);
+            in_order(particles, bonds, g * group_size, entries);
             for (unsigned int t = 0; t < n_twos; ++t)
               {
                 unsigned int *const two = &first[2 * (g * n_twos + t)];
@@ -78,7 +78,7 @@ namespace Morsel::SPH
     for (unsigned int g = 0; g * group_size < first_without_ghosts; ++g)
       use[g] |= needs_records;
     for (unsigned int i = 0; i < bonds.list.n_rows(); ++i)
-      adjust(particles, bonds, i);
+      adjust_weights(particles, bonds, i);
     for (auto &column : columns)
       column.resize(std::max(n_groups * group_size, particles.n_local), 0.);
   }
@@ -94,12 +94,12 @@ namespace Morsel::SPH
       return false;
     std::vector<unsigned int> of_first, entries;
     find_entries(bonds, begin, of_first);
-    if (!in_order(particles, bonds, of_first))
+    if (!in_order(particles, bonds, begin, of_first))
       return false;
     for (unsigned int i = begin; i < begin + group_size; ++i)
       {
         find_entries(bonds, i, entries);
-        if (!in_order(particles, bonds, entries))
+        if (!in_order(particles, bonds, i, entries))
           return false;
         for (unsigned int k = 0; k < entries.size(); ++k)
           if (bonds.list.index[entries[k]] !=
@@ -113,6 +113,7 @@ namespace Morsel::SPH
   bool
   LatticeGroups::in_order(const Particles           &particles,
                           const Bonds               &bonds,
+                          const unsigned int         i,
                           std::vector<unsigned int> &entries) const
   {
     const unsigned int n = 2 * x.size();
@@ -121,7 +122,9 @@ namespace Morsel::SPH
     for (unsigned int k = 0; k < n; ++k)
       {
         unsigned int found = k;
-        while (found < n && !is_pair(particles, bonds, entries[found], k))
+        while (found < n && !is_pair(bonds.offset(particles, i, entries[found]),
+                                     bonds.weight[entries[found]],
+                                     k))
           ++found;
         if (found == n)
           return false;
@@ -132,21 +135,17 @@ namespace Morsel::SPH
 
 
   bool
-  LatticeGroups::is_pair(const Particles   &particles,
-                         const Bonds       &bonds,
-                         const unsigned int entry,
+  LatticeGroups::is_pair(const Vector2     &offset,
+                         const double       weight_of_pair,
                          const unsigned int k) const
   {
     const unsigned int n_twos = x.size();
     const bool         back   = k < n_twos;
     const unsigned int t      = back ? k : 2 * n_twos - 1 - k;
-    const double       sign = back ? -1. : 1., spacing = particles.spacing;
-    return std::abs(bonds.dx[entry] - sign * x[t]) <
-               lattice_tolerance * spacing &&
-           std::abs(bonds.dy[entry] - sign * y[t]) <
-               lattice_tolerance * spacing &&
-           std::abs(bonds.weight[entry] - weight[t]) <
-               lattice_tolerance * heaviest;
+    const double       sign   = back ? -1. : 1.;
+    return std::abs(offset.x - sign * x[t]) < lattice_tolerance * spacing &&
+           std::abs(offset.y - sign * y[t]) < lattice_tolerance * spacing &&
+           std::abs(weight_of_pair - weight[t]) < lattice_tolerance * heaviest;
   }
 
 
@@ -163,13 +162,16 @@ namespace Morsel::SPH
     for (unsigned int k = 0; k < n / 2; ++k)
       {
         const unsigned int back = row[k], ahead = row[n - 1 - k];
-        x.push_back(0.5 * (bonds.dx[ahead] - bonds.dx[back]));
-        y.push_back(0.5 * (bonds.dy[ahead] - bonds.dy[back]));
+        const Vector2      X = bonds.offset(particles, i, back);
+        const Vector2      Y = bonds.offset(particles, i, ahead);
+        x.push_back(0.5 * (Y.x - X.x));
+        y.push_back(0.5 * (Y.y - X.y));
         weight.push_back(0.5 * (bonds.weight[back] + bonds.weight[ahead]));
       }
     heaviest = *std::max_element(weight.begin(), weight.end());
+    spacing  = particles.spacing;
     for (unsigned int k = 0; k < n; ++k)
-      if (!is_pair(particles, bonds, row[k], k))
+      if (!is_pair(bonds.offset(particles, i, row[k]), bonds.weight[row[k]], k))
         {
           x.clear();
           y.clear();
@@ -192,30 +194,59 @@ namespace Morsel::SPH
   }
 
 
+  unsigned int
+  LatticeGroups::pair_of(const Vector2     &offset,
+                         const Bonds       &bonds,
+                         const unsigned int i,
+                         const unsigned int entry) const
+  {
+    // In a full row the pairs come in the order of the pattern.
+    const unsigned int n     = 2 * x.size();
+    const unsigned int begin = bonds.list.start[i];
+    const unsigned int end   = bonds.list.start[i + 1];
+    const double       w     = bonds.weight[entry];
+    if (end - begin == n && is_pair(offset, w, entry - begin))
+      return entry - begin;
+    for (unsigned int k = 0; k < n; ++k)
+      if (is_pair(offset, w, k))
+        return k;
+    return n;
+  }
+
+
+  Vector2
+  LatticeGroups::adjusted(const Vector2     &offset,
+                          const Bonds       &bonds,
+                          const unsigned int i,
+                          const unsigned int entry) const
+  {
+    if (empty())
+      return offset;
+    const unsigned int n_twos = x.size();
+    const unsigned int k      = pair_of(offset, bonds, i, entry);
+    if (k >= 2 * n_twos)
+      return offset;
+    const bool         back = k < n_twos;
+    const unsigned int t    = back ? k : 2 * n_twos - 1 - k;
+    const double       sign = back ? -1. : 1.;
+    return {sign * x[t], sign * y[t]};
+  }
+
+
   void
-  LatticeGroups::adjust(const Particles   &particles,
-                        Bonds             &bonds,
-                        const unsigned int i) const
+  LatticeGroups::adjust_weights(const Particles   &particles,
+                                Bonds             &bonds,
+                                const unsigned int i) const
   {
     const unsigned int n_twos = x.size();
-    const unsigned int begin  = bonds.list.start[i];
-    const unsigned int end    = bonds.list.start[i + 1];
-    for (unsigned int entry = begin; entry < end; ++entry)
+    for (unsigned int entry = bonds.list.start[i];
+         entry < bonds.list.start[i + 1];
+         ++entry)
       {
-        // In a full row the pairs come in the order of the pattern.
-        unsigned int k = entry - begin;
-        if (end - begin != 2 * n_twos || !is_pair(particles, bonds, entry, k))
-          for (k = 0; k < 2 * n_twos; ++k)
-            if (is_pair(particles, bonds, entry, k))
-              break;
-        if (k >= 2 * n_twos)
-          continue;
-        const bool         back = k < n_twos;
-        const unsigned int t    = back ? k : 2 * n_twos - 1 - k;
-        const double       sign = back ? -1. : 1.;
-        bonds.dx[entry]         = sign * x[t];
-        bonds.dy[entry]         = sign * y[t];
-        bonds.weight[entry]     = weight[t];
+        const unsigned int k =
+            pair_of(bonds.offset(particles, i, entry), bonds, i, entry);
+        if (k < 2 * n_twos)
+          bonds.weight[entry] = weight[k < n_twos ? k : 2 * n_twos - 1 - k];
       }
   }
 

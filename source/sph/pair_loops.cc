@@ -32,11 +32,11 @@ namespace Morsel::SPH
   void
   renew_conforming(Particles &p, const Bonds &bonds, const unsigned int i)
   {
-    p.fit[i]     = inverse(bonds.moment(i));
+    p.fit[i]     = inverse(bonds.moment(p, i));
     p.own_sum[i] = bonds.gradient_sum(i);
     if (p.deficit.empty())
       return;
-    const Tensor2 G = bonds.gradient_moment(i);
+    const Tensor2 G = bonds.gradient_moment(p, i);
     p.deficit[i]    = {1. - G.xx, -G.xy, -G.yx, 1. - G.yy};
   }
 
@@ -103,8 +103,8 @@ namespace Morsel::SPH
                     const Field       &field)
     {
       return moment(p, bonds, i, field, [&](const unsigned int k) {
-        return Vector2{bonds.weight[k] * bonds.dx[k],
-                       bonds.weight[k] * bonds.dy[k]};
+        const Vector2 X = bonds.offset(p, i, k);
+        return Vector2{bonds.weight[k] * X.x, bonds.weight[k] * X.y};
       });
     }
 
@@ -201,10 +201,10 @@ namespace Morsel::SPH
     double        sum = 0.;
     for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
       {
-        const Vector2 u = displacement(p, bonds.list.index[k]);
-        const double  X = bonds.dx[k], Y = bonds.dy[k];
-        const double  e_x = u.x - own.x - H.xx * X - H.xy * Y;
-        const double  e_y = u.y - own.y - H.yx * X - H.yy * Y;
+        const Vector2 u   = displacement(p, bonds.list.index[k]);
+        const Vector2 X   = bonds.offset(p, i, k);
+        const double  e_x = u.x - own.x - H.xx * X.x - H.xy * X.y;
+        const double  e_y = u.y - own.y - H.yx * X.x - H.yy * X.y;
         sum += bonds.weight[k] * (e_x * e_x + e_y * e_y);
       }
     return 0.25 * p.volume(i) * sum;
@@ -266,8 +266,9 @@ namespace Morsel::SPH
     for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1]; ++k)
       {
         const unsigned int j = bonds.list.index[k];
-        const double  w = bonds.weight[k], X = bonds.dx[k], Y = bonds.dy[k];
-        const Vector2 u = ahead(p, j);
+        const auto [X, Y]    = bonds.offset(p, i, k);
+        const double  w      = bonds.weight[k];
+        const Vector2 u      = ahead(p, j);
         C.xx += w * X * X;
         C.yy += w * Y * Y;
         C.xy += w * X * Y;

@@ -116,7 +116,7 @@ namespace Morsel::SPH
       return;
     const std::vector<unsigned int> &failed = fracture->update(time_step);
     if (fracture->any_failed_now())
-      granular->take_over(failed);
+      granular->take_over(failed, fracture->parted_now());
   }
 
 

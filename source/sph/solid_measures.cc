@@ -116,8 +116,8 @@ namespace Morsel::SPH
             }
           const Symmetric2 &B = particles.shape[i];
           const Symmetric2 &C = particles.shape[bonds.list.index[k]];
-          const double      X = bonds.dx[k], Y = bonds.dy[k];
-          const double      w = V * bonds.weight[k];
+          const auto [X, Y]   = bonds.offset(particles, i, k);
+          const double w      = V * bonds.weight[k];
           S[i].x -= w * ((B.xx + C.xx) * X + (B.xy + C.xy) * Y);
           S[i].y -= w * ((B.xy + C.xy) * X + (B.yy + C.yy) * Y);
         }

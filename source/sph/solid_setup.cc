@@ -187,7 +187,7 @@ namespace Morsel::SPH
       particles.fit.resize(particles.n_local);
     for (unsigned int i = 0; i < particles.n_owned; ++i)
       {
-        const Symmetric2 m = bonds.moment(i);
+        const Symmetric2 m = bonds.moment(particles, i);
         if (smaller_eigenvalue(m) < 1e-3 * bonds.full_moment)
           throw InputError(
               "Body '" + body.name + "': the neighbours of the particle at (" +
@@ -210,7 +210,7 @@ namespace Morsel::SPH
         for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
              ++k)
           sum += particles.area[bonds.list.index[k]] *
-                 kernel.value(std::sqrt(bonds.length_square(k)));
+                 kernel.value(std::sqrt(bonds.length_square(particles, i, k)));
         particles.shape[i] = gradient_correction(normalisation, {m, sum});
       }
   }

@@ -372,7 +372,7 @@ namespace
                             body.material.p_wave_modulus * body.depth},
           exposed,
           diameter);
-      granular->take_over({far});
+      granular->take_over({far}, {});
     }
 
     void

@@ -358,7 +358,7 @@ BOOST_AUTO_TEST_CASE(lattice_groups_work_as_lists_do)
         const unsigned int before = by_pattern.bonds.lattice.size();
         for (PatchBody *body : {&by_list, &by_pattern})
           {
-            body->bonds.make_breakable(body->kernel);
+            body->bonds.make_breakable(body->p, body->kernel);
             const unsigned int i = 11 * 61 + 27;
             body->bonds.cut(body->bonds.find(i, i + 1));
             body->renew();

@@ -99,14 +99,14 @@ namespace Morsel::SPH
         if (is_conforming())
           renew_conforming(p, bonds, i);
         else if (bonds.list.start[i + 1] > bonds.list.start[i])
-          p.shape[i] = inverse(bonds.moment(i));
+          p.shape[i] = inverse(bonds.moment(p, i));
     }
 
     /// Cuts all bonds across the height @p y from the left edge to @p length.
     void
     cut(const double y, const double length)
     {
-      bonds.make_breakable(kernel);
+      bonds.make_breakable(p, kernel);
       for (unsigned int i = 0; i < p.n_owned; ++i)
         for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
              ++k)

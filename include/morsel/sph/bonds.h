@@ -59,8 +59,8 @@ namespace Morsel::SPH
 
 
   /// The reference pairs of a total Lagrangian solid. Entry k of row i
-  /// carries weight a_ij = V_j |W'|/R (zero once cut), X_j - X_i and, where
-  /// bonds can break, the place of the pair's other entry.
+  /// carries weight a_ij = V_j |W'|/R (zero once cut) and, where bonds can
+  /// break, whether it lives and the place of the pair's other entry.
   ///
   /// With the conforming gradient, it carries G_ij and V_j/V_i G_ji besides,
   /// and the weight is that of the residual control, a_ij = V_j W/R^2. Pairs
@@ -74,8 +74,7 @@ namespace Morsel::SPH
   {
     NeighbourList             list;
     std::vector<double>       weight; ///< a_ij [1/m^2]
-    std::vector<double>       dx, dy; ///< X_j - X_i [m]
-    std::vector<char>         live;   ///< not cut
+    std::vector<char>         live;   ///< not cut; empty where none can be
     std::vector<unsigned int> mirror; ///< entry (j, i) of entry (i, j)
     PackedBonds               packed;
     LatticeGroups             lattice; ///< empty unless searched for
@@ -110,7 +109,7 @@ namespace Morsel::SPH
 
     /// Fills what cuts and averages need; to be called before the first.
     void
-    make_breakable(const Kernel &kernel);
+    make_breakable(const Particles &particles, const Kernel &kernel);
 
     /// Cuts the pair of entry @p k for good.
     void
@@ -143,20 +142,35 @@ namespace Morsel::SPH
     long
     find(unsigned int i, unsigned int j) const;
 
-    double
-    length_square(const unsigned int k) const
+    /// X_j - X_i of entry @p k in row @p i [m].
+    Vector2
+    offset(const Particles   &particles,
+           const unsigned int i,
+           const unsigned int k) const
     {
-      return dx[k] * dx[k] + dy[k] * dy[k];
+      const auto &X = particles.reference[i];
+      const auto &Y = particles.reference[list.index[k]];
+      return {Y[0] - X[0], Y[1] - X[1]};
+    }
+
+    /// Its square [m^2].
+    double
+    length_square(const Particles   &particles,
+                  const unsigned int i,
+                  const unsigned int k) const
+    {
+      const Vector2 X = offset(particles, i, k);
+      return X.x * X.x + X.y * X.y;
     }
 
     /// Moment matrix sum_j a_ij X_ij (x) X_ij of the uncut bonds [1].
     Symmetric2
-    moment(unsigned int i) const;
+    moment(const Particles &particles, unsigned int i) const;
 
     /// sum_j X_ij (x) G_ij of the uncut bonds [1]: the unit matrix while none
     /// is cut. Only with the conforming gradient.
     Tensor2
-    gradient_moment(unsigned int i) const;
+    gradient_moment(const Particles &particles, unsigned int i) const;
 
     /// sum_j G_ij of the uncut bonds [1/m]. Only with the conforming gradient.
     Vector2
@@ -173,9 +187,6 @@ namespace Morsel::SPH
   private:
     static constexpr unsigned int nowhere = -1;
 
-    void
-    set_offsets(const Particles &particles);
-
     /// Entries of row @p i that have a weight.
     unsigned int
     n_near(unsigned int i) const;
@@ -183,17 +194,19 @@ namespace Morsel::SPH
     /// Lays out the rows of the owned particles and what every form has.
     /// @param all also of regular groups
     void
-    pack(unsigned int n_owned, bool all = true);
+    pack(const Particles &particles, unsigned int n_owned, bool all = true);
 
     /// Lays out a further quantity of the pairs.
+    /// @param value of the entry k of row i, value(i, k)
     template <typename Value>
     void
     pack(const Value &value, dealii::AlignedVector<double> &packed_values) const
     {
       packed_values.resize(packed.index.size(), 0.);
-      for (unsigned int k = 0; k < packed.place.size(); ++k)
-        if (packed.place[k] != nowhere)
-          packed_values[packed.place[k]] = value(k);
+      for (unsigned int i = 0; list.start[i] < packed.place.size(); ++i)
+        for (unsigned int k = list.start[i]; k < list.start[i + 1]; ++k)
+          if (packed.place[k] != nowhere)
+            packed_values[packed.place[k]] = value(i, k);
     }
   };
 

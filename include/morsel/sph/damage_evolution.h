@@ -94,6 +94,14 @@ namespace Morsel::SPH
       return exposed;
     }
 
+    /// Owned particles that lost bonds in the last update(), some more than
+    /// once.
+    const std::vector<unsigned int> &
+    parted_now() const
+    {
+      return parted;
+    }
+
     /// Of the whole body.
     double
     failed_share() const
@@ -146,9 +154,23 @@ namespace Morsel::SPH
     double
     weakest_in(unsigned int group) const;
 
-    /// Energy softening of particle @p i under this undamaged stress.
+    /// Energy softening of the particles of a group that are not crushed,
+    /// under these undamaged stresses.
+    void
+    soften_group(const BondedArrays   &arrays,
+                 unsigned int          group,
+                 const AveragedStress &stress);
+
+    /// The same of particle @p i, whatever its gradient and its softening.
     void
     soften(unsigned int i, const Materials::PlaneStrainStress &stress);
+
+    bool
+    is_crushed(unsigned int i) const;
+
+    /// Each particle's own stress and its driver, not averaged.
+    void
+    take_own_stress(unsigned int group, AveragedStress &stress) const;
 
     void
     break_up();
@@ -187,6 +209,9 @@ namespace Morsel::SPH
 
     void
     release_damage(unsigned int i, const Ends &ends, double new_damage);
+
+    void
+    set_damage(unsigned int i, double new_damage);
 
     /// As its bonds are; at the end with the gradient that it had before cuts
     /// if it is to fail now, since its bonds do not span the plane.
@@ -237,17 +262,19 @@ namespace Morsel::SPH
     const BondedConstants       constants;
     const PairKernels::Strain   own_driver;
     const PairKernels::Average  average_driver;
-    const bool                  average_stress;
-    const double                friend_distance_square;
-    const double                hourglass_stiffness;
-    const std::vector<double>   strength; ///< of grains, or empty [1]
+    /// Null where particles soften one by one or otherwise.
+    const PairKernels::Soften soften_lanes;
+    const bool                average_stress;
+    const double              friend_distance_square;
+    const double              hourglass_stiffness;
+    const std::vector<double> strength; ///< of grains, or empty [1]
     /// Where each flaw is followed on its own.
     std::unique_ptr<const Materials::ExplicitFlaws> flaws;
 
     const ParticleHost<2> *const ranks; ///< null where there is but one
     const LocalNumbers           local; ///< of all particles, on several
 
-    std::vector<unsigned int> newly_failed, failed_now, suspects;
+    std::vector<unsigned int> newly_failed, failed_now, suspects, parted;
     std::vector<unsigned int> batch; ///< that fails now, owned and ghosts
     bool                      failed_anywhere = false;
     std::vector<Touched>      touched;

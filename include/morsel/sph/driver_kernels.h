@@ -58,6 +58,17 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     }
 
 
+    /// Zero for particles without the tensile cut-off.
+    MORSEL_INLINE V
+    tensile_cut_off(const BondedArrays &a, const Row &row)
+    {
+      V cut_off;
+      for (unsigned int l = 0; l < lanes; ++l)
+        cut_off[l] = a.near_face[row.particle(l)] ? 0. : 1.;
+      return cut_off;
+    }
+
+
     template <DriverKind kind>
     void
     own_driver(const BondedArrays    &a,
@@ -117,16 +128,14 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
               s.zz += w * zz;
               total += w;
             }
-          V cut_off;
-          for (unsigned int l = 0; l < lanes; ++l)
-            cut_off[l] = a.near_face[row.particle(l)] ? 0. : 1.;
           const V inverse = 1. / total;
           s = {inverse * s.xx, inverse * s.yy, inverse * s.xy, inverse * s.zz};
           store(average.xx + offset, s.xx);
           store(average.yy + offset, s.yy);
           store(average.xy + offset, s.xy);
           store(average.zz + offset, s.zz);
-          store(average.driver + offset, driver<kind>(c, s, cut_off));
+          store(average.driver + offset,
+                driver<kind>(c, s, tensile_cut_off(a, row)));
         }
     }
   } // namespace

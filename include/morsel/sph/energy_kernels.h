@@ -33,37 +33,56 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     }
 
 
-    /// Energy per volume [J/m^3] of a displacement gradient, of which a share
-    /// @p keep of the deviatoric and of the expanding volumetric part is left.
-    template <bool linear_law>
-    MORSEL_INLINE V
-    stored_energy(const BondedConstants &c, const Matrix &H, const V keep)
+    /// Energies per volume of a displacement gradient [J/m^3].
+    struct StoredEnergies
     {
-      V deviatoric, volumetric, compressed;
+      V deviatoric, volumetric;
+      V compressed; ///< below zero where the volume is
+
+      /// What damage takes away.
+      MORSEL_INLINE V
+      releasable() const
+      {
+        return deviatoric + (compressed < 0. ? V{} : volumetric);
+      }
+
+      /// With a share @p keep left of what damage takes away.
+      MORSEL_INLINE V
+      left(const V keep) const
+      {
+        return keep * deviatoric +
+               (compressed < 0. ? volumetric : keep * volumetric);
+      }
+    };
+
+
+    template <bool linear_law>
+    MORSEL_INLINE StoredEnergies
+    stored_energies(const BondedConstants &c, const Matrix &H)
+    {
       if constexpr (linear_law)
         {
           const V tr = H.xx + H.yy, third = tr * (1. / 3.);
           const V d_xx = H.xx - third, d_yy = H.yy - third;
           const V e_xy = 0.5 * (H.xy + H.yx);
-          deviatoric   = c.mu * (d_xx * d_xx + d_yy * d_yy + third * third +
-                               2. * (e_xy * e_xy));
-          volumetric   = 0.5 * c.bulk * (tr * tr);
-          compressed   = tr;
+          return {c.mu * (d_xx * d_xx + d_yy * d_yy + third * third +
+                          2. * (e_xy * e_xy)),
+                  0.5 * c.bulk * (tr * tr),
+                  tr};
         }
       else
         {
           const V F_xx = 1. + H.xx, F_yy = 1. + H.yy;
-          const V J  = F_xx * F_yy - H.xy * H.yx;
-          const V b  = F_xx * F_xx + H.xy * H.xy + H.yx * H.yx + F_yy * F_yy;
-          deviatoric = larger(
-              V{},
-              1.5 * c.mu *
-                  (power_minus_two_thirds(J) * ((b + 1.) * (1. / 3.)) - 1.));
-          volumetric = 0.25 * c.bulk * volumetric_measure(J);
-          compressed = J - 1.;
+          const V J = F_xx * F_yy - H.xy * H.yx;
+          const V b = F_xx * F_xx + H.xy * H.xy + H.yx * H.yx + F_yy * F_yy;
+          return {
+              larger(V{},
+                     1.5 * c.mu *
+                         (power_minus_two_thirds(J) * ((b + 1.) * (1. / 3.)) -
+                          1.)),
+              0.25 * c.bulk * volumetric_measure(J),
+              J - 1.};
         }
-      return keep * deviatoric +
-             (compressed < 0. ? volumetric : keep * volumetric);
     }
 
 
@@ -143,7 +162,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
               for (unsigned int l = 0; l < lanes; ++l)
                 if (l >= row.n || (softened && a.failed[row.particle(l)]))
                   share[l] = 0.;
-              V strain = share * stored_energy<linear_law>(c, H, keep);
+              V strain = share * stored_energies<linear_law>(c, H).left(keep);
               if (a.modulus)
                 strain *= gather([&](unsigned int l) {
                   return &a.modulus[row.particle(l)];

@@ -2,7 +2,6 @@
 #define morsel_sph_granular_h
 
 #include <morsel/core/kernel.h>
-#include <morsel/core/movement_watch.h>
 #include <morsel/core/state_archive_fwd.h>
 #include <morsel/materials/elasticity.h>
 #include <morsel/sph/bonds.h>
@@ -14,6 +13,7 @@
 
 #include <deal.II/base/aligned_vector.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -62,8 +62,11 @@ namespace Morsel::SPH
     /// Takes over this rank's particles of those that have just failed, on
     /// this rank or another: density ratio from their deformation gradient, no
     /// deviator.
+    /// @param parted this rank's particles that have lost bonds, those that
+    ///   failed among them
     void
-    take_over(const std::vector<unsigned int> &failed);
+    take_over(const std::vector<unsigned int> &failed,
+              const std::vector<unsigned int> &parted);
 
     /// Advances density and deviator by one step; positions are at the new
     /// time, half_velocity at the middle of the step.
@@ -105,16 +108,27 @@ namespace Morsel::SPH
     exchange_state(StateArchive &state);
 
   private:
-    /// Rows of the list that are worked on together.
+    static constexpr unsigned int nobody = -1;
+
+    /// Members that are worked on together.
     static constexpr unsigned int block_size = 64;
 
-    /// Rows of the list of unbonded pairs, and the pairs of each; entries
-    /// count members.
+    /// The unbonded pairs of some members; entries count members.
     struct Block
     {
-      unsigned int              first, last; ///< members [first, last)
-      std::vector<unsigned int> grain_start, grain_pair;
+      unsigned int first, last; ///< members [first, last)
+      unsigned int n_rows, n_grains;
+      /// Pairs with a grain as GrainArrays has them.
+      std::vector<unsigned int> row, slot_begin, grain_pair;
+      /// Of each member with live ones.
       std::vector<unsigned int> live_start, live_pair;
+    };
+
+    /// The pairs of each member of a block that is being filled.
+    struct PairsOfMembers
+    {
+      std::array<std::vector<unsigned int>, block_size> grain;
+      std::vector<unsigned int>                         live;
     };
 
     /// What does not change of a member of another rank between two searches.
@@ -124,46 +138,67 @@ namespace Morsel::SPH
       dealii::Point<2>   place; ///< when the list was built [m]
       GrainSize          size;
       double             mass;
+      double             allowance; ///< [m]
       char               failed;
     };
 
-    /// On any rank.
-    bool
-    moved_far();
+    /// Finds the unbonded pairs that can come near each other before any
+    /// member has moved further than its allowance, which goes with its speed.
+    void
+    rebuild_list(double time_step);
+
+    /// Lets what has changed since the list was built join it, where that is
+    /// little; on one rank.
+    void
+    amend_list(double time_step);
 
     void
-    rebuild_list();
+    number_members();
+
+    /// Appends blocks of the members from @p first on, which are not filled.
+    void
+    add_blocks(unsigned int first);
+
+    /// Fills those of the blocks that @p is_meant says.
+    template <typename Predicate>
+    void
+    fill_blocks(const Predicate &is_meant);
+
+    /// How far a member may move until the list is built anew [m].
+    double
+    allowance_of(unsigned int i, double time_step) const;
 
     /// Of contact and mass.
     GrainSize
     member_size(unsigned int m) const;
 
-    /// Within which pairs are listed [m].
-    double
-    largest_reach() const;
-
     /// Members of other ranks near those of this one, and who is near whom.
+    /// @param reach no pair that is listed is further apart [m]
     void
-    find_foreign();
+    find_foreign(double reach);
 
     void
     fill_block(Block &block) const;
 
-    /// Adds member @p n at distance^2 @p r2 to the last rows of a block, which
-    /// are those of member @p m.
+    /// Adds the pair of member @p m of @p block with member @p n at distance^2
+    /// @p r2 where it is to be listed.
     void
-    add_pair(Block &block, unsigned int m, unsigned int n, double r2) const;
+    add_pair(const Block    &block,
+             PairsOfMembers &pairs,
+             unsigned int    m,
+             unsigned int    n,
+             double          r2) const;
+
+    /// Lays the pairs with a grain out as the kernels read them.
+    void
+    lay_out(Block &block, const PairsOfMembers &pairs) const;
+
+    GrainArrays
+    rows_of(const Block &block) const;
 
     /// No bond holds these members together.
     bool
     unbonded(unsigned int m, unsigned int n) const;
-
-    /// The member that fills up rows, after those of all ranks.
-    unsigned int
-    dummy() const
-    {
-      return members.size() + foreign.size();
-    }
 
     /// Positions, velocities and stress of the members at the present time.
     void
@@ -178,7 +213,9 @@ namespace Morsel::SPH
     exchange_rates_of_members();
     ///@}
 
-    void
+    /// Their positions and velocities at the middle of the step.
+    /// @return whether one of this rank's has moved further than it may
+    bool
     gather_rates(double time_step);
 
     void
@@ -225,14 +262,19 @@ namespace Morsel::SPH
     std::unique_ptr<MemberExchange> exchange;
 
     // Unbonded pairs near each other, rebuilt when anything has moved far.
-    // Members stand cell by cell, followed by those of other ranks and by a
-    // far dummy.
+    // Members stand cell by cell, followed by those that have joined or by
+    // those of other ranks, and by a far dummy that fills up rows.
     std::vector<unsigned int>     members;
+    std::vector<unsigned int>     number; ///< of each particle, or nobody
+    unsigned int                  n_in_grid = 0; ///< which do stand so
+    unsigned int                  dummy     = 0;
+    std::vector<unsigned int>     changed; ///< particles not yet listed as are
     std::vector<Foreign>          foreign;
     NeighbourList                 foreign_near; ///< of each of the members
     std::vector<char>             member_failed;
     std::vector<dealii::Point<2>> built_at;
-    MovementWatch                 watch;
+    std::vector<double>           allowance; ///< also of other ranks' [m]
+    double                        longest_allowance = 0.; ///< [m]
     std::vector<Block>            blocks;
     CellGrid                      grid;
     bool                          any_failed = false;

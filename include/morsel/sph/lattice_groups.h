@@ -39,6 +39,14 @@ namespace Morsel::SPH
       return use.empty();
     }
 
+    /// X_ij as the pattern has it where @p entry of row @p i is one of its
+    /// pairs, else as given: the two ends of a pair agree to the bit.
+    Vector2
+    adjusted(const Vector2 &offset,
+             const Bonds   &bonds,
+             unsigned int   i,
+             unsigned int   entry) const;
+
     bool
     is_regular(const unsigned int g) const
     {
@@ -92,24 +100,33 @@ namespace Morsel::SPH
                  const Bonds     &bonds,
                  unsigned int     i);
 
-    /// Puts a row's @p entries into the order of the pattern's pairs, which is
-    /// theirs but at the cut to another rank. @return whether they are these
+    /// Puts the @p entries of row @p i into the order of the pattern's pairs,
+    /// which is theirs but at the cut to another rank. @return whether they are
+    /// these
     bool
     in_order(const Particles           &particles,
              const Bonds               &bonds,
+             unsigned int               i,
              std::vector<unsigned int> &entries) const;
 
-    /// Whether @p entry is the pattern's pair @p k, as rows are sorted.
+    /// Whether a pair with this weight is the pattern's pair @p k, as rows are
+    /// sorted.
     bool
-    is_pair(const Particles &particles,
-            const Bonds     &bonds,
-            unsigned int     entry,
-            unsigned int     k) const;
+    is_pair(const Vector2 &offset, double weight_of_pair, unsigned int k) const;
 
-    /// Gives the entries of row @p i the pattern's values where they are its
+    /// Which pair of the pattern @p entry of row @p i is, or past the last.
+    unsigned int
+    pair_of(const Vector2 &offset,
+            const Bonds   &bonds,
+            unsigned int   i,
+            unsigned int   entry) const;
+
+    /// Gives the entries of row @p i the pattern's weights where they are its
     /// pairs.
     void
-    adjust(const Particles &particles, Bonds &bonds, unsigned int i) const;
+    adjust_weights(const Particles &particles,
+                   Bonds           &bonds,
+                   unsigned int     i) const;
 
     /// Tells the groups of @p g's neighbours in what form it reads them.
     void
@@ -123,6 +140,7 @@ namespace Morsel::SPH
     std::vector<double> x, y; ///< [m]
     std::vector<double> weight, weight_x, weight_y;
     double              heaviest = 0.; ///< weight [1/m^2]
+    double              spacing  = 0.; ///< [m]
     Symmetric2          shape;         ///< B [1]
 
     std::array<dealii::AlignedVector<double>, n_lattice_columns> columns;

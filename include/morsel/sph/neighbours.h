@@ -46,12 +46,15 @@ namespace Morsel::SPH
       });
     }
 
-    /// The same as ranges [begin, end) of places in sorted().
+    /// The same as ranges [begin, end) of places in sorted(); @p x may lie
+    /// anywhere.
     template <typename Function>
     void
     for_each_run(const dealii::Point<2> &x, const Function &f) const
     {
       const long cx = cell(x[0] - origin[0]), cy = cell(x[1] - origin[1]);
+      if (cx < -1 || cx > nx)
+        return;
       for (long y = std::max(0L, cy - 1); y <= std::min(ny - 1, cy + 1); ++y)
         f(begin_of(std::max(0L, cx - 1), y),
           begin_of(std::min(nx - 1, cx + 1) + 1, y));

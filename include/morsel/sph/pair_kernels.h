@@ -143,7 +143,7 @@ namespace Morsel::SPH
   };
 
 
-  /// Sums over one row of the list of unbonded pairs.
+  /// Sums over the pairs of one member.
   struct GrainForce
   {
     double x, y, viscous_x, viscous_y, pressed;
@@ -158,14 +158,16 @@ namespace Morsel::SPH
   };
 
 
-  /// The pairs with a grain of a few rows; rows are padded to whole groups by
-  /// a far dummy.
+  /// The pairs with a grain of a few members, the rows: those that are grains
+  /// first. Slot s of a group of rows holds one pair of each; rows with fewer
+  /// pairs than the group's longest end in pairs with a far dummy.
   struct GrainArrays
   {
-    const unsigned int *start; ///< n_rows + 1
-    const unsigned int *index;
-    const char         *is_grain; ///< of every member
-    unsigned int        n_rows, first_row;
+    const unsigned int *row;        ///< members, filled up to a whole group
+    const unsigned int *slot_begin; ///< of each group and past the last
+    const unsigned int *index;      ///< members, group_size a slot
+    unsigned int        n_rows, n_grains;
+    unsigned int        first_row; ///< the member of the first sum
     const GrainMotion  *motion;
     const GrainStress  *stress; ///< forces alone
     const GrainSize    *size;   ///< forces alone
@@ -198,6 +200,24 @@ namespace Morsel::SPH
   };
 
 
+  /// Energy softening of the particles of a group, see
+  /// Materials::energy_softening().
+  struct GroupSoftening
+  {
+    const Vector2 *half_velocity;         ///< of all particles [m/s]
+    double         time_step;             ///< the coming one [s]
+    double         threshold[group_size]; ///< [1]
+    /// DamageLaw::range_at(), or 0 for particles that take no part [1].
+    double range[group_size];
+    double used[group_size]; ///< of the strength [1], before and after
+
+    double damage[group_size]; ///< after it [1]
+    /// Of those that soften: what a damage of one takes away, the mean of now
+    /// and the end of the coming step [J].
+    double released[group_size];
+  };
+
+
   /// The kernels of one instruction set. Ranges count groups.
   struct PairKernels
   {
@@ -213,6 +233,11 @@ namespace Morsel::SPH
                              const BondedConstants &constants,
                              unsigned int           group,
                              AveragedStress        &average);
+    using Soften    = bool (*)(const BondedArrays    &arrays,
+                            const BondedConstants &constants,
+                            unsigned int           group,
+                            const AveragedStress  &average,
+                            GroupSoftening        &state);
     using GrainPush = void (*)(const GrainArrays    &arrays,
                                const GrainConstants &constants,
                                GrainForce           *sums);
@@ -243,6 +268,8 @@ namespace Morsel::SPH
     Strain own_driver[3];
     /// [driver]: of the average over the neighbours, for one group.
     Average average_driver[3];
+    /// [driver][linear law]: see softening_kernels.h.
+    Soften soften[3][2];
     /// [Wendland C2].
     GrainPush grain_force[2];
     GrainRate grain_rate[2];

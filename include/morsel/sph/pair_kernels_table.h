@@ -7,6 +7,7 @@
 #include <morsel/sph/energy_kernels.h>
 #include <morsel/sph/force_kernels.h>
 #include <morsel/sph/grain_kernels.h>
+#include <morsel/sph/softening_kernels.h>
 
 #define MORSEL_TEXT_OF(name) #name
 #define MORSEL_TEXT(name) MORSEL_TEXT_OF(name)
@@ -48,6 +49,12 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
         {average_driver<tensile_stress>,
          average_driver<extension_strain>,
          average_driver<modified_von_mises>},
+        {{soften_group<tensile_stress, false>,
+          soften_group<tensile_stress, true>},
+         {soften_group<extension_strain, false>,
+          soften_group<extension_strain, true>},
+         {soften_group<modified_von_mises, false>,
+          soften_group<modified_von_mises, true>}},
         {grain_force<false>, grain_force<true>},
         {grain_rate<false>, grain_rate<true>}};
     return table;
