@@ -167,6 +167,17 @@ namespace Morsel
       plate.move_to(clock.time());
 
     {
+      // Motion alone says how the food touches the plates: their forces are
+      // summed while those within the food are worked out.
+      const auto timer = log.section("contact with plates");
+      touch();
+      for (auto &plate : plates)
+        plate.account(clock.kick(), dt);
+      for (const auto &drive : drives)
+        drive->account(clock.kick());
+      begin_sum_of_plate_forces();
+    }
+    {
       const auto timer = log.section("strain and forces");
       for (auto &solid : solids)
         solid->compute_accelerations(dt);
@@ -177,12 +188,8 @@ namespace Morsel
         solid->add_grain_forces(dt);
     }
     const auto timer = log.section("contact with plates");
-    touch();
-    for (auto &plate : plates)
-      plate.account(clock.kick(), dt);
-    for (const auto &drive : drives)
-      drive->account(clock.kick());
-    sum_plate_forces();
+    load_food();
+    finish_sum_of_plate_forces();
     if (clock.step() % steps_between_face_marks == 0)
       mark_loaded_faces();
   }
@@ -258,7 +265,7 @@ namespace Morsel
 
 
   void
-  Bite::sum_plate_forces()
+  Bite::begin_sum_of_plate_forces()
   {
     plate_forces.clear();
     for (const auto &plate : plates)
@@ -266,9 +273,24 @@ namespace Morsel
         plate_forces.push_back(std::abs(plate.force()[axis]));
         plate_forces.push_back(plate.force()[1 - axis]);
       }
-    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(plate_forces),
-                                communicator,
-                                dealii::ArrayView<double>(plate_forces));
+    if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return;
+    const int error = MPI_Iallreduce(MPI_IN_PLACE,
+                                     plate_forces.data(),
+                                     plate_forces.size(),
+                                     MPI_DOUBLE,
+                                     MPI_SUM,
+                                     communicator,
+                                     &plate_forces_travel);
+    AssertThrowMPI(error);
+  }
+
+
+  void
+  Bite::finish_sum_of_plate_forces()
+  {
+    const int error = MPI_Wait(&plate_forces_travel, MPI_STATUS_IGNORE);
+    AssertThrowMPI(error);
   }
 
 

@@ -212,9 +212,13 @@ namespace Morsel
     void
     meet(Meeting &meeting);
 
-    /// Forces on the food by plates and conditions, and between plates.
+    /// Forces between food and plates, and between plates.
     void
     touch();
+
+    /// Forces on the food, by plates, conditions and other food.
+    void
+    load_food();
 
     /// Chooses how elastic plates answer, and a step that suits it.
     void
@@ -233,7 +237,7 @@ namespace Morsel
     void
     set_slipping_masses();
 
-    const std::vector<ParticleForce> &
+    void
     press(Pair &pair);
 
     /// Brings a plate without inertia into equilibrium with the food.
@@ -243,9 +247,14 @@ namespace Morsel
     void
     mark_loaded_faces();
 
-    /// All at once: ranks meet once a step for it.
+    /// @name All at once, over all ranks.
+    ///@{
     void
-    sum_plate_forces();
+    begin_sum_of_plate_forces();
+
+    void
+    finish_sum_of_plate_forces();
+    ///@}
 
     double
     stable_time_step() const;
@@ -262,7 +271,8 @@ namespace Morsel
     std::vector<Jaw::Plate>                  plates;
     std::vector<std::string>                 responses; ///< of the plates
     /// Along and across the closing direction, at the last evaluate() [N].
-    std::vector<double>                      plate_forces;
+    std::vector<double> plate_forces;
+    MPI_Request         plate_forces_travel = MPI_REQUEST_NULL;
     std::vector<std::shared_ptr<Jaw::Drive>> drives;  ///< each once
     std::vector<double>                 ways_to_food; ///< 1 or -1, by plate
     std::vector<Pair>                   pairs;

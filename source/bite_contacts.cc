@@ -124,9 +124,16 @@ namespace Morsel
       if (plates[p].settles())
         settle(p);
     for (auto &pair : pairs)
-      solids[pair.solid]->apply_forces(plates[pair.plate].settles()
-                                           ? pair.contact->last_forces()
-                                           : press(pair));
+      if (!plates[pair.plate].settles())
+        press(pair);
+  }
+
+
+  void
+  Bite::load_food()
+  {
+    for (auto &pair : pairs)
+      solids[pair.solid]->apply_forces(pair.contact->last_forces());
     for (auto &two : neighbours)
       {
         two.contact->compute(clock.time_step());

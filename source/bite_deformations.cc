@@ -91,16 +91,16 @@ namespace Morsel
   }
 
 
-  const std::vector<ParticleForce> &
+  void
   Bite::press(Pair &pair)
   {
     const auto &particles = solids[pair.solid]->get_particles();
-    return pair.contact->compute(particles.reference,
-                                 particles.motion,
-                                 particles.n_owned,
-                                 clock.time_step(),
-                                 plates[pair.plate].surface,
-                                 particles.travelled);
+    pair.contact->compute(particles.reference,
+                          particles.motion,
+                          particles.n_owned,
+                          clock.time_step(),
+                          plates[pair.plate].surface,
+                          particles.travelled);
   }
 
 

@@ -149,6 +149,11 @@ main(int argc, char **argv)
       ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     }
 
+  // What ranks of one machine tell each other in a step is some kilobytes. The
+  // messages of a thousand particles at a cut are to be on their way at once,
+  // not when both ranks wait for them.
+  ::setenv("OMPI_MCA_btl_vader_eager_limit", "32768", 0);
+
   // Every core of the machine, shared among its ranks, unless told otherwise.
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(
       argc, argv, dealii::numbers::invalid_unsigned_int);

@@ -175,6 +175,7 @@ namespace Morsel
                   2. * interesting_time(scene, bite.closing_axis()) /
                       std::max(1u, scene.output.field_frames))
       , tooth_cracks(bite, log)
+      , rank_load(communicator)
   {
     log.begin_loop();
     auto       columns = history_columns(scene, drives);
@@ -307,6 +308,7 @@ namespace Morsel
         row.insert(row.end(), crack_values.begin(), crack_values.end());
         history->add_row(row);
       }
+    rank_load.sample(bite.time());
   }
 
 

@@ -4,6 +4,7 @@
 #include "bite.h"
 #include "drive_record.h"
 #include "loop_report.h"
+#include "rank_load.h"
 #include "recorder_cracks.h"
 
 #include <morsel/contact/traction.h>
@@ -212,6 +213,7 @@ namespace Morsel
     /// As they were at the peak of the mean force, this rank's forces.
     std::vector<Contact::Surface> surfaces_at_peak;
     ToothCrackRecorder            tooth_cracks;
+    RankLoad                      rank_load;
 
     double       last_sample_time = -1.;
     double       last_frame_time  = -1.;

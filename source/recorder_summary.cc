@@ -308,6 +308,8 @@ namespace Morsel
                     bite.time(),
                     log.wall_time(),
                     log.loop_wall_time()});
+    rank_load.summarise(
+        summary, log, bite.get_plates().empty() ? 0. : stroke.time_of_peak());
     add_provenance(
         summary, scene.title, scene.name, scene.parameters_hash, communicator);
     add_material(summary, scene.particle_bodies.front().material);

@@ -2,6 +2,7 @@
 #include <morsel/sph/background_grid.h>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -21,23 +22,28 @@ namespace Morsel::SPH
            dealii::ExcMessage("Support and spacing must be above 0."));
     const double   half = 0.5 * spacing;
     BackgroundGrid grid;
-    grid.cell_size = half * std::ceil(support / half);
+    double         least = std::numeric_limits<double>::max();
     for (int d = 0; d < dim; ++d)
       {
         Assert(upper[d] > lower[d], dealii::ExcMessage("The box is empty."));
-        grid.n[d] = std::ceil((upper[d] - lower[d] + half) / grid.cell_size);
+        least = std::min(least, upper[d] - lower[d] + half);
       }
 
-    // Every rank stores all coarse cells: few of them, refined, as long as
-    // rounding their number up does not add many cells without particles.
-    const unsigned int least = *std::min_element(grid.n.begin(), grid.n.end());
-    while ((least >> (grid.n_levels + 1)) >= 4)
+    // Ranks get pieces of the curve through all cells. One coarse cell across
+    // the narrow side, halved again and again, and an even number along the
+    // others make their cuts straight, along lattice rows where there is a
+    // choice: a cut of a square in two, or in four, is as short as can be.
+    while (half * std::ceil(support / half) * (2u << grid.n_levels) <= least)
       ++grid.n_levels;
+    const unsigned int children = 1u << grid.n_levels;
+    grid.cell_size =
+        half * std::ceil(std::max(support, least / children) / half);
 
     for (int d = 0; d < dim; ++d)
       {
-        const unsigned int children = 1u << grid.n_levels;
-        grid.n[d] = (grid.n[d] + children - 1) / children * children;
+        const unsigned int n_coarse = std::ceil((upper[d] - lower[d] + half) /
+                                                (grid.cell_size * children));
+        grid.n[d] = (n_coarse > 1 ? (n_coarse + 1) / 2 * 2 : 1) * children;
         // The box in the middle, but for a multiple of half a spacing.
         const double spare = grid.n[d] * grid.cell_size - (upper[d] - lower[d]);
         grid.origin[d] =

@@ -179,7 +179,7 @@ namespace Morsel::SPH
     parted.clear();
     failed_anywhere = false;
     if (ranks)
-      exchange_ghosts();
+      exchange_ghosts_start();
 
     // With the tensile cut-off everywhere this bounds every average from
     // above: the driver is convex.
@@ -190,6 +190,8 @@ namespace Morsel::SPH
           own_driver(arrays, constants, begin, end);
         },
         grain);
+    if (ranks)
+      exchange_ghosts_finish();
     if (ranks && average_stress)
       bound_ghosts();
     std::fill(any_full.begin(), any_full.end(), 0);

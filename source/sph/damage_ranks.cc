@@ -19,14 +19,23 @@ namespace Morsel::SPH
 
 
   void
-  DamageEvolution::exchange_ghosts()
+  DamageEvolution::exchange_ghosts_start()
   {
     // Energies at the end of the coming step need the ghosts' motion in it.
+    ranks->exchange_start(dealii::make_array_view(particles.half_velocity), 0);
+    ranks->exchange_start(dealii::make_array_view(particles.acceleration), 1);
     if (average_stress)
-      ranks->exchange(
-          particles.half_velocity, particles.acceleration, particles.effective);
-    else
-      ranks->exchange(particles.half_velocity, particles.acceleration);
+      ranks->exchange_start(dealii::make_array_view(particles.effective), 2);
+  }
+
+
+  void
+  DamageEvolution::exchange_ghosts_finish()
+  {
+    ranks->exchange_finish(dealii::make_array_view(particles.half_velocity), 0);
+    ranks->exchange_finish(dealii::make_array_view(particles.acceleration), 1);
+    if (average_stress)
+      ranks->exchange_finish(dealii::make_array_view(particles.effective), 2);
   }
 
 

@@ -41,7 +41,10 @@ namespace Morsel::SPH
     const unsigned int n_groups = particles.n_groups();
     n_owned                     = particles.n_owned;
     use.assign(n_groups, 0);
-    for (unsigned int g = 0; g < n_groups; ++g)
+    // At a cut between ranks rows are in another order than the pattern's.
+    for (unsigned int g = 0; g < n_groups && x.empty(); ++g)
+      make_pattern(particles, bonds, g * group_size);
+    for (unsigned int g = 0; g < n_groups && !x.empty(); ++g)
       if (fits(particles, bonds, g))
         {
           use[g] = regular;
@@ -61,6 +64,7 @@ namespace Morsel::SPH
         if (use[g] & regular)
           {
             find_entries(bonds, g * group_size, entries);
+            in_order(particles, bonds, g * group_size, entries);
             for (unsigned int t = 0; t < n_twos; ++t)
               {
                 unsigned int *const two = &first[2 * (g * n_twos + t)];
@@ -76,39 +80,55 @@ namespace Morsel::SPH
     for (unsigned int i = 0; i < bonds.list.n_rows(); ++i)
       adjust_weights(particles, bonds, i);
     for (auto &column : columns)
-      column.resize(n_groups * group_size, 0.);
+      column.resize(std::max(n_groups * group_size, particles.n_local), 0.);
   }
 
 
   bool
   LatticeGroups::fits(const Particles   &particles,
                       const Bonds       &bonds,
-                      const unsigned int g)
+                      const unsigned int g) const
   {
     const unsigned int begin = g * group_size;
     if (begin + group_size > particles.n_owned)
       return false;
     std::vector<unsigned int> of_first, entries;
     find_entries(bonds, begin, of_first);
-    if (x.empty() && !make_pattern(particles, bonds, begin, of_first))
+    if (!in_order(particles, bonds, begin, of_first))
       return false;
-
-    const unsigned int n_twos = x.size();
     for (unsigned int i = begin; i < begin + group_size; ++i)
       {
         find_entries(bonds, i, entries);
-        if (entries.size() != 2 * n_twos)
+        if (!in_order(particles, bonds, i, entries))
           return false;
-        for (unsigned int k = 0; k < 2 * n_twos; ++k)
-          {
-            const unsigned int j = bonds.list.index[entries[k]];
-            if (j != bonds.list.index[of_first[k]] + (i - begin) ||
-                j >= particles.n_owned ||
-                !is_pair(bonds.offset(particles, i, entries[k]),
-                         bonds.weight[entries[k]],
-                         k))
-              return false;
-          }
+        for (unsigned int k = 0; k < entries.size(); ++k)
+          if (bonds.list.index[entries[k]] !=
+              bonds.list.index[of_first[k]] + (i - begin))
+            return false;
+      }
+    return true;
+  }
+
+
+  bool
+  LatticeGroups::in_order(const Particles           &particles,
+                          const Bonds               &bonds,
+                          const unsigned int         i,
+                          std::vector<unsigned int> &entries) const
+  {
+    const unsigned int n = 2 * x.size();
+    if (entries.size() != n)
+      return false;
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        unsigned int found = k;
+        while (found < n && !is_pair(bonds.offset(particles, i, entries[found]),
+                                     bonds.weight[entries[found]],
+                                     k))
+          ++found;
+        if (found == n)
+          return false;
+        std::swap(entries[k], entries[found]);
       }
     return true;
   }
@@ -129,15 +149,16 @@ namespace Morsel::SPH
   }
 
 
-  bool
-  LatticeGroups::make_pattern(const Particles                 &particles,
-                              const Bonds                     &bonds,
-                              const unsigned int               i,
-                              const std::vector<unsigned int> &row)
+  void
+  LatticeGroups::make_pattern(const Particles   &particles,
+                              const Bonds       &bonds,
+                              const unsigned int i)
   {
+    std::vector<unsigned int> row;
+    find_entries(bonds, i, row);
     const unsigned int n = row.size();
     if (n == 0 || n % 2 != 0)
-      return false;
+      return;
     for (unsigned int k = 0; k < n / 2; ++k)
       {
         const unsigned int back = row[k], ahead = row[n - 1 - k];
@@ -155,7 +176,7 @@ namespace Morsel::SPH
           x.clear();
           y.clear();
           weight.clear();
-          return false;
+          return;
         }
     for (unsigned int t = 0; t < n / 2; ++t)
       {
@@ -170,7 +191,6 @@ namespace Morsel::SPH
         moment.xy += 2. * weight_x[t] * y[t];
       }
     shape = inverse(moment);
-    return true;
   }
 
 
@@ -254,14 +274,56 @@ namespace Morsel::SPH
       return;
     use[g] &= ~regular;
     --n_regular;
-    // With pairs at the edge of the support rows do not stand as the pattern.
-    bool whole = true;
+    // With pairs at the edge of the support, or with neighbours that are
+    // numbered otherwise at the cut to another rank, rows do not stand as the
+    // pattern.
+    const unsigned int        n_twos = x.size();
+    const unsigned int *const two    = &first[2 * g * n_twos];
+    bool                      whole  = true;
     for (unsigned int row = g * group_size; row < (g + 1) * group_size; ++row)
-      whole = whole && list.start[row + 1] - list.start[row] == 2 * x.size();
+      whole = whole && list.start[row + 1] - list.start[row] == 2 * n_twos;
+    for (unsigned int t = 0; t < n_twos && whole; ++t)
+      {
+        const auto row = list.index.begin() + list.start[g * group_size];
+        whole =
+            row[t] == two[2 * t + 1] && row[2 * n_twos - 1 - t] == two[2 * t];
+      }
     if (whole)
       use[g] |= frayed;
     else
       mark_neighbours(list, g, needs_records);
+  }
+
+
+  void
+  LatticeGroups::take_motion_of_ghosts(const Particles &particles)
+  {
+    if (empty())
+      return;
+    for (unsigned int i = n_owned; i < particles.n_local; ++i)
+      {
+        const Motion &m        = particles.motion[i];
+        columns[column_u_x][i] = m.u_x;
+        columns[column_u_y][i] = m.u_y;
+        columns[column_v_x][i] = m.v_x;
+        columns[column_v_y][i] = m.v_y;
+      }
+  }
+
+
+  void
+  LatticeGroups::take_stress_of_ghosts(const Particles &particles)
+  {
+    if (empty())
+      return;
+    for (unsigned int i = n_owned; i < particles.n_local; ++i)
+      {
+        const PairStress &s   = particles.pair_stress[i];
+        columns[column_xx][i] = s.xx;
+        columns[column_xy][i] = s.xy;
+        columns[column_yx][i] = s.yx;
+        columns[column_yy][i] = s.yy;
+      }
   }
 
 

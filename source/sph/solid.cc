@@ -62,6 +62,7 @@ namespace Morsel::SPH
       work(column_loop, 0, n);
     work(strain_loop, n_boundary, n);
     finish_motion();
+    bonds.lattice.take_motion_of_ghosts(particles);
     work(strain_loop, 0, n_boundary);
     const auto stresses    = dealii::make_array_view(particles.pair_stress);
     const auto stiffnesses = dealii::make_array_view(particles.hourglass);
@@ -72,6 +73,7 @@ namespace Morsel::SPH
     host.exchange_finish(stresses);
     if (fracture)
       host.exchange_finish(stiffnesses, stiffness_channel);
+    bonds.lattice.take_stress_of_ghosts(particles);
     work(force_loop, 0, n_boundary);
   }
 
@@ -125,8 +127,6 @@ namespace Morsel::SPH
     host.exchange_start(dealii::make_array_view(particles.motion),
                         motion_channel);
     motion_travels = true;
-    if (fracture)
-      finish_motion();
   }
 
 

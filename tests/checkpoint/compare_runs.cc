@@ -23,6 +23,11 @@ namespace
                                        "particle_steps_per_second",
                                        "peak_memory",
                                        "rank_count",
+                                       "rank_busy_time",
+                                       "rank_busy_time_largest",
+                                       "rank_imbalance",
+                                       "rank_imbalance_before_peak",
+                                       "rank_imbalance_after_peak",
                                        "thread_count"};
 
   using Table = std::vector<std::vector<std::string>>;

@@ -20,9 +20,10 @@ namespace Morsel::SPH
     unsigned int n_levels = 0; ///< how often every n can be halved
 
     /// A grid that covers a box and at least a quarter of @p spacing around
-    /// it. Cells are the smallest multiple of half of the spacing that is not
-    /// below @p support, and stand a quarter spacing off the box's edges: no
-    /// particle of a lattice in the box lies on a face.
+    /// it, as many cells across its narrow side as the largest power of two
+    /// for which they are not below @p support. They are a multiple of half of
+    /// the spacing and stand a quarter of it off the box's edges: no particle
+    /// of a lattice in the box lies on a face.
     static BackgroundGrid
     around(const dealii::Point<dim> &lower,
            const dealii::Point<dim> &upper,

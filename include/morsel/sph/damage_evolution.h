@@ -187,9 +187,14 @@ namespace Morsel::SPH
     void
     retire_group(unsigned int group);
 
-    /// What growth needs of the ghosts.
+    /// @name What growth needs of the ghosts.
+    ///@{
     void
-    exchange_ghosts();
+    exchange_ghosts_start();
+
+    void
+    exchange_ghosts_finish();
+    ///@}
 
     /// Bounds of the averages that ghosts take part in.
     void

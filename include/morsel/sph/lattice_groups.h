@@ -16,9 +16,10 @@ namespace Morsel::SPH
 
   /// The groups of particles deep inside of a regular lattice: all of them have
   /// the same pairs, no pair is cut, and what stands beside one another in a
-  /// group has neighbours that do so, too. Their loops need no list of pairs:
-  /// one pattern serves all, and the fields of neighbours are read from columns
-  /// (one number after the other) as whole vectors.
+  /// group has neighbours that do so, too, be they this rank's or ghosts. Their
+  /// loops need no list of pairs: one pattern serves all, and the fields of
+  /// neighbours are read from columns (one number after the other) as whole
+  /// vectors.
   class LatticeGroups
   {
   public:
@@ -64,6 +65,16 @@ namespace Morsel::SPH
     void
     leave(unsigned int i, const NeighbourList &list);
 
+    /// @name Of other ranks' particles, into the columns; between the owned
+    /// ones' and the loops that read them.
+    ///@{
+    void
+    take_motion_of_ghosts(const Particles &particles);
+
+    void
+    take_stress_of_ghosts(const Particles &particles);
+    ///@}
+
     /// Fills the addresses of @p arrays.
     void
     describe(LatticeArrays &arrays);
@@ -78,18 +89,25 @@ namespace Morsel::SPH
       frayed        = lattice_frayed
     };
 
-    /// Whether the pairs of group @p g are those of the pattern; makes the
-    /// pattern where there is none yet.
+    /// Whether the pairs of group @p g are those of the pattern.
     bool
-    fits(const Particles &particles, const Bonds &bonds, unsigned int g);
+    fits(const Particles &particles, const Bonds &bonds, unsigned int g) const;
 
-    /// Takes the entries of row @p i for the pattern if each has an opposite
+    /// Takes the pairs of particle @p i for the pattern if each has an opposite
     /// one.
+    void
+    make_pattern(const Particles &particles,
+                 const Bonds     &bonds,
+                 unsigned int     i);
+
+    /// Puts the @p entries of row @p i into the order of the pattern's pairs,
+    /// which is theirs but at the cut to another rank. @return whether they are
+    /// these
     bool
-    make_pattern(const Particles                 &particles,
-                 const Bonds                     &bonds,
-                 unsigned int                     i,
-                 const std::vector<unsigned int> &row);
+    in_order(const Particles           &particles,
+             const Bonds               &bonds,
+             unsigned int               i,
+             std::vector<unsigned int> &entries) const;
 
     /// Whether a pair with this weight is the pattern's pair @p k, as rows are
     /// sorted.
