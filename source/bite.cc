@@ -77,23 +77,52 @@ namespace Morsel
 
 
   double
+  Bite::contact_stiffness(const unsigned int solid) const
+  {
+    double stiffness = 0.;
+    for (const auto &pair : pairs)
+      if (pair.solid == solid)
+        stiffness = std::max(stiffness,
+                             pair.contact->stiffness() +
+                                 plate_frequencies[pair.plate] *
+                                     solids[solid]->contact_side().mass);
+    for (const auto &two : neighbours)
+      if (two.first == solid || two.second == solid)
+        stiffness += two.contact->stiffness();
+    return stiffness;
+  }
+
+
+  double
+  Bite::stopped_slip() const
+  {
+    const auto &law = scene.contact;
+    return pairs.empty() || law.friction == 0. || law.sticks_elastically()
+               ? 0.
+               : Contact::stopped_slip;
+  }
+
+
+  double
+  Bite::measured_stable_step()
+  {
+    double smallest = std::numeric_limits<double>::max();
+    for (unsigned int s = 0; s < solids.size(); ++s)
+      smallest = std::min(smallest,
+                          solids[s]->measured_stable_time_step(
+                              contact_stiffness(s), stopped_slip()));
+    return smallest;
+  }
+
+
+  double
   Bite::stable_time_step() const
   {
     double smallest = std::numeric_limits<double>::max();
     for (unsigned int s = 0; s < solids.size(); ++s)
-      {
-        double stiffness = 0.;
-        for (const auto &pair : pairs)
-          if (pair.solid == s)
-            stiffness = std::max(stiffness,
-                                 pair.contact->stiffness() +
-                                     plate_frequencies[pair.plate] *
-                                         solids[s]->contact_side().mass);
-        for (const auto &two : neighbours)
-          if (two.first == s || two.second == s)
-            stiffness += two.contact->stiffness();
-        smallest = std::min(smallest, solids[s]->stable_time_step(stiffness));
-      }
+      smallest = std::min(
+          smallest,
+          solids[s]->stable_time_step(contact_stiffness(s), stopped_slip()));
     for (const auto &meeting : meetings)
       if (const double square = plate_frequencies[meeting.first] +
                                 plate_frequencies[meeting.second];

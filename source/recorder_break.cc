@@ -123,4 +123,34 @@ namespace Morsel
                         " % of the whole food's (circles of equal area)");
       }
   }
+
+
+  void
+  Recorder::summarise_mass_scaling()
+  {
+    const double factor = scene.time.inertia_factor;
+    if (factor == 1.)
+      return;
+    summary.add("mass_scaling",
+                factor,
+                "1",
+                "density that inertia sees over the material's");
+    const auto ratio = stroke.largest_kinetic_over_strain_energy();
+    if (!ratio)
+      return;
+    summary.add("largest_kinetic_over_strain_energy",
+                *ratio,
+                "1",
+                "kinetic over strain energy at its largest between half and "
+                "95 % of the peak, with the scaled mass");
+    const double share = scene.time.kinetic_share;
+    if (*ratio > share)
+      log.warning("Before the peak of the force kinetic energy was up to " +
+                  number_text(*ratio) +
+                  " of the strain energy, more than 'Time/Kinetic share' = " +
+                  number_text(share) +
+                  ": inertia shows. A 'Time/Mass scaling' of about " +
+                  number_text(std::max(1., factor * share / *ratio)) +
+                  " instead of " + number_text(factor) + " would keep below.");
+  }
 } // namespace Morsel

@@ -47,6 +47,14 @@ namespace Morsel::Jaw
                       "How often the cells about each crack tip are halved "
                       "[1].",
                       Patterns::Integer(0, 12));
+    prm.add_parameter(
+        "Newmark beta",
+        beta,
+        "Of 'dynamic' [1]. 0.25 keeps waves in the body best; then cells "
+        "smaller than the particles shorten the step of all. With 0.5 the "
+        "stiffness of a body that is held carries the contact, and the food "
+        "keeps its own step.",
+        Patterns::Double(0.25, 1.));
     prm.add_parameter("Initial velocity",
                       initial_velocity,
                       "Velocity 'v_x, v_y' at time 0 of a body that is not "
