@@ -230,6 +230,11 @@ namespace Morsel
     limit_step_by_plates(
         const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic);
 
+    /// The same with Newmark's betas as they are.
+    void
+    limit_step_by_dynamic_plates(
+        const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic);
+
     /// Share of a plate's stiffness that carries springs of contact besides
     /// its mass, 4/dt^2 (M + share K) > K_contact [s^2].
     double
@@ -279,6 +284,7 @@ namespace Morsel
     std::vector<std::unique_ptr<SPH::Solid>> solids;
     std::vector<Jaw::Plate>                  plates;
     std::vector<std::string>                 responses; ///< of the plates
+    std::vector<double>                      betas;     ///< Newmark's, of them
     /// Along and across the closing direction, at the last evaluate() [N].
     std::vector<double>                      plate_forces;
     std::vector<std::shared_ptr<Jaw::Drive>> drives;  ///< each once

@@ -14,6 +14,13 @@ namespace Morsel
     /// The step and what stiff plates carry at it follow from each other; the
     /// second round is within 1 % of the limit of many.
     constexpr unsigned int rounds_of_step = 3;
+
+    /// Newmark's beta with which a body's stiffness drops out of the stable
+    /// step, and with which it carries the springs of contact.
+    constexpr double average_acceleration = 0.25, carrying_beta = 0.5;
+
+    /// Plates that shorten the step by less keep the average acceleration.
+    constexpr double worthwhile = 0.8;
   } // namespace
 
 
@@ -46,7 +53,7 @@ namespace Morsel
           plates[p].set_deformation(std::make_unique<Jaw::DynamicDeformation>(
               std::move(elastic[p]),
               plates[p].body.deformation.initial_velocity,
-              plates[p].body.deformation.beta,
+              betas[p],
               clock.time_step(),
               communicator));
         deforms = deforms || plates[p].get_deformation() != nullptr;
@@ -59,15 +66,51 @@ namespace Morsel
   Bite::limit_step_by_plates(
       const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic)
   {
+    const double of_food        = automatic_step;
+    const auto   without_plates = plate_frequencies;
+    bool         may_carry      = false;
+    for (unsigned int p = 0; p < plates.size(); ++p)
+      {
+        const double given = plates[p].body.deformation.beta;
+        betas.push_back(given > 0. ? given : average_acceleration);
+        may_carry = may_carry || (responses[p] == "dynamic" && given == 0. &&
+                                  elastic[p]->is_held());
+      }
+    limit_step_by_dynamic_plates(elastic);
+    if (may_carry && automatic_step < worthwhile * of_food)
+      {
+        for (unsigned int p = 0; p < plates.size(); ++p)
+          if (responses[p] == "dynamic" && elastic[p]->is_held() &&
+              plates[p].body.deformation.beta == 0.)
+            betas[p] = carrying_beta;
+        const double shorter = automatic_step;
+        plate_frequencies    = without_plates;
+        choose_time_step();
+        limit_step_by_dynamic_plates(elastic);
+        log << "The stiffness of plates carries the contact (Newmark's beta "
+            << carrying_beta << "): step " << automatic_step << " s instead of "
+            << shorter << " s.\n";
+      }
+    if (clock.time_step() > automatic_step &&
+        *std::max_element(plate_frequencies.begin(), plate_frequencies.end()) >
+            0.)
+      log.warning("'Time/Time step' exceeds the stable step of contact with "
+                  "elastic plates, " +
+                  number_text(automatic_step) + " s.");
+  }
+
+
+  void
+  Bite::limit_step_by_dynamic_plates(
+      const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic)
+  {
     // What a plate's own stiffness carries of the contact's springs depends on
     // the step, and the step on what is left: from the food's own one down.
-    const auto any_carries = [this] {
-      for (unsigned int p = 0; p < plates.size(); ++p)
-        if (responses[p] == "dynamic" && plates[p].body.deformation.beta > 0.25)
-          return true;
-      return false;
-    };
-    const unsigned int rounds = any_carries() ? rounds_of_step : 1;
+    const bool any_carries =
+        std::any_of(betas.begin(), betas.end(), [](const double beta) {
+          return beta > average_acceleration;
+        });
+    const unsigned int rounds = any_carries ? rounds_of_step : 1;
     for (unsigned int round = 0; round < rounds; ++round)
       {
         for (const auto &pair : pairs)
@@ -83,12 +126,6 @@ namespace Morsel
         limit_step_by_meetings(elastic);
         choose_time_step();
       }
-    if (clock.time_step() > automatic_step &&
-        *std::max_element(plate_frequencies.begin(), plate_frequencies.end()) >
-            0.)
-      log.warning("'Time/Time step' exceeds the stable step of contact with "
-                  "elastic plates, " +
-                  number_text(automatic_step) + " s.");
   }
 
 
@@ -96,7 +133,7 @@ namespace Morsel
   Bite::carried_share(const unsigned int plate) const
   {
     const double dt = clock.time_step();
-    return (plates[plate].body.deformation.beta - 0.25) * dt * dt;
+    return (betas[plate] - average_acceleration) * dt * dt;
   }
 
 
@@ -114,8 +151,7 @@ namespace Morsel
               plates[pair.plate].get_deformation()->get_body(),
               stiffness / side.spacing,
               plates[pair.plate].surface.tributary,
-              plates[pair.plate].body.deformation.beta * clock.time_step() *
-                  clock.time_step());
+              betas[pair.plate] * clock.time_step() * clock.time_step());
           pair.contact->set_slipping_mass(
               1. / (1. / side.mass + frequency / stiffness));
         }

@@ -135,22 +135,23 @@ namespace Morsel
                 factor,
                 "1",
                 "density that inertia sees over the material's");
-    const auto ratio = stroke.largest_kinetic_over_strain_energy();
-    if (!ratio)
+    const auto largest = stroke.largest_kinetic_over_strain_energy();
+    if (!largest)
       return;
     summary.add("largest_kinetic_over_strain_energy",
-                *ratio,
+                *largest,
                 "1",
                 "kinetic over strain energy at its largest between half and "
                 "95 % of the peak, with the scaled mass");
+    const double ratio = *stroke.kinetic_over_strain_energy();
     const double share = scene.time.kinetic_share;
-    if (*ratio > share)
-      log.warning("Before the peak of the force kinetic energy was up to " +
-                  number_text(*ratio) +
+    if (ratio > share)
+      log.warning("At 95 % of the peak of the force kinetic energy was " +
+                  number_text(ratio) +
                   " of the strain energy, more than 'Time/Kinetic share' = " +
                   number_text(share) +
-                  ": inertia shows. A 'Time/Mass scaling' of about " +
-                  number_text(std::max(1., factor * share / *ratio)) +
-                  " instead of " + number_text(factor) + " would keep below.");
+                  ": inertia shows. Of 'Time/Mass scaling'" + " = " +
+                  number_text(factor) + " about " + number_text(share / ratio) +
+                  " would keep below.");
   }
 } // namespace Morsel

@@ -9,6 +9,11 @@ namespace Morsel::Scene
 {
   namespace
   {
+    /// Waves carry more than the even motion that the rule counts: up to a
+    /// fourth more, as strokes on a peanut at 10 to 50 mm/s show.
+    constexpr double share_of_even_motion = 0.75;
+
+
     double
     fastest_plate(const Scene &scene)
     {
@@ -89,10 +94,10 @@ namespace Morsel::Scene
         const double nu      = body.material.poissons_ratio;
         const double modulus = body.material.youngs_modulus / (1. - nu * nu);
         const double stress  = largest_stress(body, scene);
-        factor =
-            std::min(factor,
-                     3. * scene.time.kinetic_share * stress * stress /
-                         (body.material.density * speed * speed * modulus));
+        factor               = std::min(
+            factor,
+            3. * share_of_even_motion * scene.time.kinetic_share * stress *
+                stress / (body.material.density * speed * speed * modulus));
       }
     return std::isfinite(factor) ? std::max(1., factor) : 1.;
   }

@@ -129,7 +129,7 @@ namespace Morsel::Scene
     /// [1], for quasi-static scenes; 0 = by 'kinetic_share'.
     double mass_scaling = 1.;
     /// Largest kinetic over strain energy before failure [1].
-    double kinetic_share = 0.01;
+    double kinetic_share = 1e-3;
     /// The factor that 'mass_scaling' stands for [1], derived.
     double inertia_factor = 1.;
     /// With half the step from a good state, where the numbers go bad.
