@@ -342,7 +342,7 @@ BOOST_AUTO_TEST_CASE(stiff_bars_leave_the_food_its_step)
         }
       last_ratio = ratio;
     }
-  BOOST_TEST(last_ratio > 4.);
+  BOOST_TEST(last_ratio > 3.5);
 }
 
 

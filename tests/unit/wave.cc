@@ -450,8 +450,8 @@ BOOST_AUTO_TEST_CASE(measured_step_of_any_body)
 
 BOOST_AUTO_TEST_CASE(step_of_an_oscillator_with_viscosity_and_friction)
 {
-  // One degree of freedom, stepped as the particles are: the formula is the
-  // limit, to both sides.
+  // One degree of freedom, stepped as the particles are, with dampers that act
+  // both ways and so count twice: the formula is the limit, to both sides.
   const auto grows = [](const double w2,
                         const double g,
                         const double stopped,
@@ -468,9 +468,9 @@ BOOST_AUTO_TEST_CASE(step_of_an_oscillator_with_viscosity_and_friction)
   };
   for (const double w2 : {1., 9.})
     for (const double g : {0., 0.7, 5.})
-      for (const double stopped : {0., 0.5, 1.})
+      for (const double stopped : {0., 0.25, 0.5})
         {
-          const double dt = largest_stable_step(w2, g, stopped);
+          const double dt = largest_stable_step(w2, 2. * g, 2. * stopped);
           BOOST_TEST(!grows(w2, g, stopped, 0.99 * dt));
           BOOST_TEST(grows(w2, g, stopped, 1.01 * dt));
         }
