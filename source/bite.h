@@ -230,6 +230,12 @@ namespace Morsel
     limit_step_by_plates(
         const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic);
 
+    /// Whether Newmark's beta of a plate is left to what suits the contact.
+    bool
+    chooses_beta(
+        unsigned int                                         plate,
+        const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic) const;
+
     /// The same with Newmark's betas as they are.
     void
     limit_step_by_dynamic_plates(

@@ -1,11 +1,14 @@
 #include "bite.h"
 #include "elastic_plates.h"
+#include "guarded.h"
 
 #include <morsel/core/suggestions.h>
 #include <morsel/jaw/dynamic_deformation.h>
 #include <morsel/jaw/quasi_static_deformation.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace Morsel
 {
@@ -66,30 +69,35 @@ namespace Morsel
   Bite::limit_step_by_plates(
       const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic)
   {
-    const double of_food        = automatic_step;
-    const auto   without_plates = plate_frequencies;
-    bool         may_carry      = false;
+    const auto without_plates = plate_frequencies;
+    bool       may_carry      = false;
     for (unsigned int p = 0; p < plates.size(); ++p)
+      may_carry = may_carry || chooses_beta(p, elastic);
+    const auto limit_with = [&](const double chosen) {
+      betas.clear();
+      for (unsigned int p = 0; p < plates.size(); ++p)
+        {
+          const double given = plates[p].body.deformation.beta;
+          betas.push_back(chooses_beta(p, elastic) ? chosen
+                          : given > 0.             ? given
+                                                   : average_acceleration);
+        }
+      plate_frequencies = without_plates;
+      choose_time_step();
+      limit_step_by_dynamic_plates(elastic);
+      return automatic_step;
+    };
+    const double of_food = automatic_step;
+    const double shorter = limit_with(average_acceleration);
+    if (may_carry && shorter < worthwhile * of_food)
       {
-        const double given = plates[p].body.deformation.beta;
-        betas.push_back(given > 0. ? given : average_acceleration);
-        may_carry = may_carry || (responses[p] == "dynamic" && given == 0. &&
-                                  elastic[p]->is_held());
-      }
-    limit_step_by_dynamic_plates(elastic);
-    if (may_carry && automatic_step < worthwhile * of_food)
-      {
-        for (unsigned int p = 0; p < plates.size(); ++p)
-          if (responses[p] == "dynamic" && elastic[p]->is_held() &&
-              plates[p].body.deformation.beta == 0.)
-            betas[p] = carrying_beta;
-        const double shorter = automatic_step;
-        plate_frequencies    = without_plates;
-        choose_time_step();
-        limit_step_by_dynamic_plates(elastic);
-        log << "The stiffness of plates carries the contact (Newmark's beta "
-            << carrying_beta << "): step " << automatic_step << " s instead of "
-            << shorter << " s.\n";
+        const double longer = limit_with(carrying_beta);
+        if (shorter < worthwhile * longer)
+          log << "The stiffness of plates carries the contact (Newmark's beta "
+              << carrying_beta << "): step " << longer << " s instead of "
+              << shorter << " s.\n";
+        else
+          limit_with(average_acceleration);
       }
     if (clock.time_step() > automatic_step &&
         *std::max_element(plate_frequencies.begin(), plate_frequencies.end()) >
@@ -97,6 +105,16 @@ namespace Morsel
       log.warning("'Time/Time step' exceeds the stable step of contact with "
                   "elastic plates, " +
                   number_text(automatic_step) + " s.");
+  }
+
+
+  bool
+  Bite::chooses_beta(
+      const unsigned int                                   plate,
+      const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic) const
+  {
+    return responses[plate] == "dynamic" && elastic[plate]->is_held() &&
+           plates[plate].body.deformation.beta == 0.;
   }
 
 
@@ -134,6 +152,82 @@ namespace Morsel
   {
     const double dt = clock.time_step();
     return (betas[plate] - average_acceleration) * dt * dt;
+  }
+
+
+  void
+  Bite::choose_time_step()
+  {
+    automatic_step = stable_time_step();
+    clock.set_time_step(scene.time.time_step > 0. ? scene.time.time_step
+                                                  : automatic_step);
+  }
+
+
+  double
+  Bite::safe_time_step() const
+  {
+    return automatic_step / largest_cfl_above_one(scene);
+  }
+
+
+  double
+  Bite::contact_stiffness(const unsigned int solid) const
+  {
+    double stiffness = 0.;
+    for (const auto &pair : pairs)
+      if (pair.solid == solid)
+        stiffness = std::max(stiffness,
+                             pair.contact->stiffness() +
+                                 plate_frequencies[pair.plate] *
+                                     solids[solid]->contact_side().mass);
+    for (const auto &two : neighbours)
+      if (two.first == solid || two.second == solid)
+        stiffness += two.contact->stiffness();
+    return stiffness;
+  }
+
+
+  double
+  Bite::stopped_slip() const
+  {
+    const auto &law = scene.contact;
+    return pairs.empty() || law.friction == 0. || law.sticks_elastically()
+               ? 0.
+               : Contact::stopped_slip;
+  }
+
+
+  double
+  Bite::measured_stable_step()
+  {
+    double smallest = std::numeric_limits<double>::max();
+    for (unsigned int s = 0; s < solids.size(); ++s)
+      smallest = std::min(smallest,
+                          solids[s]->measured_stable_time_step(
+                              contact_stiffness(s), stopped_slip()));
+    return smallest;
+  }
+
+
+  double
+  Bite::stable_time_step() const
+  {
+    double smallest = std::numeric_limits<double>::max();
+    for (unsigned int s = 0; s < solids.size(); ++s)
+      smallest = std::min(
+          smallest,
+          solids[s]->stable_time_step(contact_stiffness(s), stopped_slip()));
+    for (const auto &meeting : meetings)
+      if (const double square = plate_frequencies[meeting.first] +
+                                plate_frequencies[meeting.second];
+          square > 0.)
+        smallest = std::min(smallest,
+                            scene.particle_bodies.front().solid.cfl * 2. /
+                                std::sqrt(square));
+    for (const auto &drive : inertial_drives())
+      smallest = std::min(smallest, drive.second->stable_time_step());
+    return smallest;
   }
 
 

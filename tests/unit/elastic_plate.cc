@@ -308,9 +308,9 @@ BOOST_AUTO_TEST_CASE(stiff_bars_leave_the_food_its_step)
 {
   // A bar that is held behind answers the food's hit. The lighter it is, the
   // smaller a step its mass needs on the springs of contact; with beta = 1/2
-  // its stiffness carries them. Same impulse, momentum and energy exact.
+  // its stiffness carries them, being more than that of the contact. Same impulse, momentum and energy exact.
   double last_ratio = 1.;
-  for (const double lighter : {0.1, 10., 100.})
+  for (const double lighter : {1., 10., 100.})
     {
       Held       runs[2];
       const bool stiff[] = {false, true};
@@ -320,7 +320,7 @@ BOOST_AUTO_TEST_CASE(stiff_bars_leave_the_food_its_step)
           auto        &bar      = scene.plate_bodies[0].deformation;
           bar.held_sides        = "right";
           bar.density           = 250. / lighter;
-          bar.youngs_modulus    = 4e8;
+          bar.youngs_modulus    = 4e10;
           bar.beta              = carried ? 0.5 : 0.25;
           runs[carried ? 1 : 0] = run_held(scene);
         }
