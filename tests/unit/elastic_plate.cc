@@ -308,7 +308,8 @@ BOOST_AUTO_TEST_CASE(stiff_bars_leave_the_food_its_step)
 {
   // A bar that is held behind answers the food's hit. The lighter it is, the
   // smaller a step its mass needs on the springs of contact; with beta = 1/2
-  // its stiffness carries them, being more than that of the contact. Same impulse, momentum and energy exact.
+  // its stiffness carries them, being more than that of the contact. Same
+  // impulse, momentum and energy exact.
   double last_ratio = 1.;
   for (const double lighter : {1., 10., 100.})
     {
