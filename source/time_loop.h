@@ -378,7 +378,7 @@ namespace Morsel
   std::optional<Finding>
   TimeLoop<System, Recorder>::check(const bool thoroughly)
   {
-    const auto timer = log.section("guards");
+    const auto timer   = log.section("guards");
     const auto is_time = [&](const unsigned int steps) {
       return thoroughly || system->step() % steps == 0 ||
              recorder->records_now();
