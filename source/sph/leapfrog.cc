@@ -10,12 +10,53 @@ namespace Morsel::SPH
   {
     /// Of the forces of viscosity at the velocity that the accelerations lead
     /// to [W], not the predicted one: that would book too much of fast motion.
-    double
-    viscous_power(const Particles &p, const unsigned int i, const double lag)
+    inline double
+    viscous_power(const double   mass,
+                  const Vector2 &viscous,
+                  const Vector2 &v,
+                  const Vector2 &a,
+                  const double   lag)
     {
-      const Vector2 v = p.half_velocity[i], a = p.acceleration[i];
-      return -p.mass[i] * (p.viscous[i].x * (v.x + lag * a.x) +
-                           p.viscous[i].y * (v.y + lag * a.y));
+      return -mass *
+             (viscous.x * (v.x + lag * a.x) + viscous.y * (v.y + lag * a.y));
+    }
+
+
+    /// Moves particles [begin, end); returns the square of the largest speed
+    /// [m^2/s^2].
+    /// @param before what the velocities lag behind by [s]
+    template <bool viscous>
+    double
+    move(Particles         &particles,
+         const unsigned int begin,
+         const unsigned int end,
+         const double       before,
+         const double       dt)
+    {
+      const double         kick    = before + 0.5 * dt;
+      const Vector2 *const as      = particles.acceleration.data();
+      Vector2 *const       vs      = particles.half_velocity.data();
+      Motion *const        ms      = particles.motion.data();
+      double               fastest = 0.;
+      for (unsigned int i = begin; i < end; ++i)
+        {
+          const Vector2 a = as[i];
+          Vector2       v = vs[i];
+          if constexpr (viscous)
+            particles.viscous_heat[i] +=
+                kick *
+                viscous_power(
+                    particles.mass[i], particles.viscous[i], v, a, before);
+          v.x += kick * a.x;
+          v.y += kick * a.y;
+          vs[i]   = v;
+          ms[i]   = {ms[i].u_x + dt * v.x,
+                     ms[i].u_y + dt * v.y,
+                     v.x + 0.5 * dt * a.x,
+                     v.y + 0.5 * dt * a.y};
+          fastest = std::max(fastest, v.x * v.x + v.y * v.y);
+        }
+      return fastest;
     }
   } // namespace
 
@@ -24,28 +65,13 @@ namespace Morsel::SPH
   Leapfrog::advance(Particles &particles, const double dt)
   {
     const double before                = lag();
-    const double kick                  = before + 0.5 * dt;
     const bool   viscous               = !particles.viscous.empty();
     last_step                          = dt;
     std::atomic<double> fastest_square = 0.; // [m^2/s^2]
     parallel_for(particles.n_owned, [&](unsigned int begin, unsigned int end) {
-      double fastest = 0.;
-      for (unsigned int i = begin; i < end; ++i)
-        {
-          const Vector2 a = particles.acceleration[i];
-          Vector2      &v = particles.half_velocity[i];
-          Motion       &m = particles.motion[i];
-          if (viscous)
-            particles.viscous_heat[i] +=
-                kick * viscous_power(particles, i, before);
-          v.x += kick * a.x;
-          v.y += kick * a.y;
-          m.u_x += dt * v.x;
-          m.u_y += dt * v.y;
-          m.v_x   = v.x + 0.5 * dt * a.x;
-          m.v_y   = v.y + 0.5 * dt * a.y;
-          fastest = std::max(fastest, v.x * v.x + v.y * v.y);
-        }
+      const double fastest =
+          viscous ? move<true>(particles, begin, end, before, dt)
+                  : move<false>(particles, begin, end, before, dt);
       double known = fastest_square;
       while (known < fastest &&
              !fastest_square.compare_exchange_weak(known, fastest))
@@ -72,7 +98,12 @@ namespace Morsel::SPH
       return 0.;
     const double lag = leapfrog.lag();
     return parallel_sum(particles.n_owned, [&](const unsigned int i) {
-      return particles.viscous_heat[i] + lag * viscous_power(particles, i, lag);
+      return particles.viscous_heat[i] +
+             lag * viscous_power(particles.mass[i],
+                                 particles.viscous[i],
+                                 particles.half_velocity[i],
+                                 particles.acceleration[i],
+                                 lag);
     });
   }
 
