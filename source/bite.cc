@@ -44,22 +44,6 @@ namespace Morsel
 
 
   void
-  Bite::choose_time_step()
-  {
-    automatic_step = stable_time_step();
-    clock.set_time_step(scene.time.time_step > 0. ? scene.time.time_step
-                                                  : automatic_step);
-  }
-
-
-  double
-  Bite::safe_time_step() const
-  {
-    return automatic_step / largest_cfl_above_one(scene);
-  }
-
-
-  void
   Bite::change_time_step(const double time_step)
   {
     clock.set_time_step(time_step);
@@ -73,37 +57,6 @@ namespace Morsel
     for (auto &plate : plates)
       plate.change_time_step(clock.time_step());
     set_slipping_masses();
-  }
-
-
-  double
-  Bite::stable_time_step() const
-  {
-    double smallest = std::numeric_limits<double>::max();
-    for (unsigned int s = 0; s < solids.size(); ++s)
-      {
-        double stiffness = 0.;
-        for (const auto &pair : pairs)
-          if (pair.solid == s)
-            stiffness = std::max(stiffness,
-                                 pair.contact->stiffness() +
-                                     plate_frequencies[pair.plate] *
-                                         solids[s]->contact_side().mass);
-        for (const auto &two : neighbours)
-          if (two.first == s || two.second == s)
-            stiffness += two.contact->stiffness();
-        smallest = std::min(smallest, solids[s]->stable_time_step(stiffness));
-      }
-    for (const auto &meeting : meetings)
-      if (const double square = plate_frequencies[meeting.first] +
-                                plate_frequencies[meeting.second];
-          square > 0.)
-        smallest = std::min(smallest,
-                            scene.particle_bodies.front().solid.cfl * 2. /
-                                std::sqrt(square));
-    for (const auto &drive : inertial_drives())
-      smallest = std::min(smallest, drive.second->stable_time_step());
-    return smallest;
   }
 
 

@@ -56,6 +56,11 @@ namespace Morsel
     double
     safe_time_step() const;
 
+    /// As the forces themselves say, see SPH::Solid [s]; plates count by
+    /// their rules. Before the first evaluate(); collective.
+    double
+    measured_stable_step();
+
     /// The steps from now on [s]; before evaluate().
     void
     change_time_step(double time_step);
@@ -229,6 +234,22 @@ namespace Morsel
     limit_step_by_plates(
         const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic);
 
+    /// Whether Newmark's beta of a plate is left to what suits the contact.
+    bool
+    chooses_beta(
+        unsigned int                                         plate,
+        const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic) const;
+
+    /// The same with Newmark's betas as they are.
+    void
+    limit_step_by_dynamic_plates(
+        const std::vector<std::unique_ptr<FE::ElasticBody>> &elastic);
+
+    /// Share of a plate's stiffness that carries springs of contact besides
+    /// its mass, 4/dt^2 (M + share K) > K_contact [s^2].
+    double
+    carried_share(unsigned int plate) const;
+
     /// Tells those whose own integration knows the step.
     void
     adapt_to_time_step();
@@ -259,6 +280,14 @@ namespace Morsel
     double
     stable_time_step() const;
 
+    /// Of the contacts that a particle of a body may be in at once [N/m].
+    double
+    contact_stiffness(unsigned int solid) const;
+
+    /// Share of a particle's slip that friction on plates takes in each step.
+    double
+    stopped_slip() const;
+
     /// The step that the scene names, or the automatic one.
     void
     choose_time_step();
@@ -270,6 +299,7 @@ namespace Morsel
     std::vector<std::unique_ptr<SPH::Solid>> solids;
     std::vector<Jaw::Plate>                  plates;
     std::vector<std::string>                 responses; ///< of the plates
+    std::vector<double>                      betas;     ///< Newmark's, of them
     /// Along and across the closing direction, at the last evaluate() [N].
     std::vector<double> plate_forces;
     MPI_Request         plate_forces_travel = MPI_REQUEST_NULL;

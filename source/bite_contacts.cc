@@ -208,7 +208,8 @@ namespace Morsel
               std::max(plate_frequencies[p],
                        Jaw::contact_frequency(*elastic[p],
                                               meeting.foundation,
-                                              plates[p].surface.tributary));
+                                              plates[p].surface.tributary,
+                                              carried_share(p)));
   }
 
 

@@ -230,22 +230,25 @@ namespace Morsel
     const bool quasi_static_can = n_ranks == 1 &&
                                   scene.contact.law == "gap penalty" &&
                                   !meets_plates(scene, plate.name);
-    const bool dynamic_can = plate.motion.carries_dynamic_bodies();
+    const bool scaled      = scene.time.inertia_factor != 1.;
+    const bool dynamic_can = plate.motion.carries_dynamic_bodies() && !scaled;
     if (!quasi_static_can && !dynamic_can)
       throw InputError(
           "'Body " + plate.name +
           "/Deformation/Response' = 'auto' finds none that does: " + times +
           "; 'quasi-static' needs one rank, the gap penalty and no contact "
           "with other plates (name the others in 'Contact/Pairs'), 'dynamic' a "
-          "prescribed motion that does not turn the body.");
+          "prescribed motion that does not turn the body and 'Time/Mass "
+          "scaling' = 1.");
     if (!quasi_static_can)
       return {"dynamic",
               times + "; 'quasi-static' needs one rank, the gap penalty and no "
                       "contact with other plates"};
     if (!dynamic_can)
       return {"quasi-static",
-              times + "; 'dynamic' needs a prescribed motion that does not "
-                      "turn the body"};
+              times + (scaled ? "; 'dynamic' needs 'Time/Mass scaling' = 1"
+                              : "; 'dynamic' needs a prescribed motion that "
+                                "does not turn the body")};
     return {period > quick_answer * time ? "dynamic" : "quasi-static", times};
   }
 } // namespace Morsel

@@ -45,6 +45,22 @@ namespace Morsel
   }
 
 
+  double
+  Experiment::measured_stable_step()
+  {
+    double smallest = std::numeric_limits<double>::max();
+    for (unsigned int k = 0; k < solids.size(); ++k)
+      {
+        auto *const solid = dynamic_cast<SPH::Solid *>(solids[k].get());
+        smallest          = std::min(smallest,
+                            solid ? solid->measured_stable_time_step(0., 0.)
+                                           : solids[k]->stable_time_step(0.) /
+                                        scene.particle_bodies[k].solid.cfl);
+      }
+    return smallest;
+  }
+
+
   void
   Experiment::evaluate()
   {

@@ -55,6 +55,11 @@ namespace Morsel
     double
     safe_time_step() const;
 
+    /// As the forces of total Lagrangian bodies themselves say, see SPH::Solid,
+    /// by rule for others [s]. Before the first evaluate().
+    double
+    measured_stable_step();
+
     /// The steps from now on [s]; before evaluate().
     void
     change_time_step(const double time_step)

@@ -269,11 +269,12 @@ namespace Morsel
             points[i]       = p.position(i);
             u.insert(u.end(), {m.u_x, m.u_y});
             v.insert(v.end(), {m.v_x, m.v_y});
-            density[i] = body.density_ratio(i) * body.get_material().density;
-            mises[i]   = Materials::von_mises(s);
-            xx[i]      = s.xx;
-            yy[i]      = s.yy;
-            xy[i]      = s.xy;
+            density[i] = body.density_ratio(i) *
+                         scene.particle_bodies[b].material.density;
+            mises[i] = Materials::von_mises(s);
+            xx[i]    = s.xx;
+            yy[i]    = s.yy;
+            xy[i]    = s.xy;
           }
         std::vector<Field> fields = {{"displacement", Field::Kind::vector, u},
                                      {"velocity", Field::Kind::vector, v},

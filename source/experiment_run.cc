@@ -68,10 +68,12 @@ namespace Morsel
         log,
         MPI_COMM_SELF);
     begin_results(scene, options, checkpoints, log);
-    const Experiment  &experiment = loop.get_system();
+    Experiment        &experiment = loop.get_system();
     std::ostringstream text;
     text << experiment.particle_count() << " particles, step "
-         << experiment.time_step() << " s, " << options.threads
+         << experiment.time_step() << " s"
+         << share_of_measured_step(experiment, scene.time.end_time, log)
+         << scaled_mass_text(scene) << "; " << options.threads
          << " threads. Effects:\n"
          << Output::effects_as_text(effects_of_experiment(scene));
     log << text.str();

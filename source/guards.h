@@ -110,10 +110,13 @@ namespace Morsel
     std::optional<Finding>
     check_step(const Moment &moment) const;
 
-    /// Whether particles are finite, not inside out, not too fast and not too
-    /// deep in each other.
+    /// Whether particles are finite, not inside out and not too fast.
     std::optional<Finding>
     check_particles() const;
+
+    /// Whether bodies are not too deep in each other.
+    std::optional<Finding>
+    check_contacts() const;
 
     /// Whether the ledger is open by no more than a tenth of what stops a run:
     /// then the state is one to go back to.

@@ -156,6 +156,10 @@ namespace Morsel
     void
     summarise_stroke(StopReason reason);
 
+    /// What scaled mass made of the kinetic energy; nothing without.
+    void
+    summarise_mass_scaling();
+
     /// How the food broke: the fall behind the peak and the pattern of damage.
     void
     summarise_break();

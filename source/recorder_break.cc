@@ -123,4 +123,35 @@ namespace Morsel
                         " % of the whole food's (circles of equal area)");
       }
   }
+
+
+  void
+  Recorder::summarise_mass_scaling()
+  {
+    const double factor = scene.time.inertia_factor;
+    if (factor == 1.)
+      return;
+    summary.add("mass_scaling",
+                factor,
+                "1",
+                "density that inertia sees over the material's");
+    const auto largest = stroke.largest_kinetic_over_strain_energy();
+    if (!largest)
+      return;
+    summary.add("largest_kinetic_over_strain_energy",
+                *largest,
+                "1",
+                "kinetic over strain energy at its largest between half and "
+                "95 % of the peak, with the scaled mass");
+    const double ratio = *stroke.kinetic_over_strain_energy();
+    const double share = scene.time.kinetic_share;
+    if (ratio > share)
+      log.warning("At 95 % of the peak of the force kinetic energy was " +
+                  number_text(ratio) +
+                  " of the strain energy, more than 'Time/Kinetic share' = " +
+                  number_text(share) +
+                  ": inertia shows. Of 'Time/Mass scaling'" + " = " +
+                  number_text(factor) + " about " + number_text(share / ratio) +
+                  " would keep below.");
+  }
 } // namespace Morsel

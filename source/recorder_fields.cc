@@ -30,7 +30,8 @@ namespace Morsel
             failed[i] = p.failed[i];
           }
         fragment[i] = fragments.label[i];
-        density[i]  = solid.density_ratio(i) * solid.get_material().density;
+        density[i]  = solid.density_ratio(i) *
+                     scene.particle_bodies.front().material.density;
         mises[i]    = Materials::von_mises(s);
         s_xx[i]     = s.xx;
         s_yy[i]     = s.yy;

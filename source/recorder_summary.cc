@@ -155,6 +155,7 @@ namespace Morsel
         summary.add_text("loading",
                          *ratio < 0.05 ? "quasi-static" : "not quasi-static");
       }
+    summarise_mass_scaling();
     if (can_fail)
       {
         summary.add(

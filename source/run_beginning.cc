@@ -24,4 +24,12 @@ namespace Morsel
     for (const auto &advice : scene.warnings)
       log.warning(advice);
   }
+
+
+  std::string
+  scaled_mass_text(const Scene::Scene &scene)
+  {
+    const double factor = scene.time.inertia_factor;
+    return factor == 1. ? "" : ", mass scaled by " + number_text(factor);
+  }
 } // namespace Morsel

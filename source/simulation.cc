@@ -90,10 +90,12 @@ namespace Morsel
         communicator);
     begin_results(scene, options, checkpoints, log);
     {
-      const Bite        &bite = loop.get_system();
+      Bite              &bite = loop.get_system();
       std::ostringstream text;
       text << bite.particle_count() << " particles, step " << bite.time_step()
-           << " s, " << options.threads << " threads on "
+           << " s" << share_of_measured_step(bite, scene.time.end_time, log)
+           << scaled_mass_text(scene) << "; " << options.threads
+           << " threads on "
            << dealii::Utilities::MPI::n_mpi_processes(communicator)
            << " rank(s). Effects:\n";
       text << Output::effects_as_text(effects_of(scene));

@@ -21,14 +21,13 @@
 namespace Morsel
 {
   /// @param object with exchange_state(StateArchive &)
-  /// @param object with exchange_state(StateArchive &)
   template <typename Object>
   std::string
   saved_state(Object &object)
   {
     StateArchive archive;
     object.exchange_state(archive);
-    return archive.buffer();
+    return std::move(archive).buffer();
   }
 
 
@@ -179,10 +178,12 @@ namespace Morsel
   };
 
 
-  /// Particles are looked at every so many steps, the energy ledger, whose sums
-  /// cost most of a step, more seldom, unless the recorder makes them anyway.
-  constexpr unsigned int steps_between_checks        = 20;
-  constexpr unsigned int steps_between_energy_checks = 80;
+  /// Contacts are looked at every so many steps, particles and the energy
+  /// ledger, whose sums cost most of a step, more seldom, unless the recorder
+  /// makes these anyway.
+  constexpr unsigned int steps_between_contact_checks  = 20;
+  constexpr unsigned int steps_between_particle_checks = 40;
+  constexpr unsigned int steps_between_energy_checks   = 96;
 
   /// Velocities that jump as prescribed open the ledger for one step.
   constexpr unsigned int steps_of_suspicion = 2;
@@ -377,10 +378,16 @@ namespace Morsel
   std::optional<Finding>
   TimeLoop<System, Recorder>::check(const bool thoroughly)
   {
-    const auto timer = log.section("guards");
-    if (thoroughly || system->step() % steps_between_checks == 0 ||
-        recorder->records_now())
+    const auto timer   = log.section("guards");
+    const auto is_time = [&](const unsigned int steps) {
+      return thoroughly || system->step() % steps == 0 ||
+             recorder->records_now();
+    };
+    if (is_time(steps_between_particle_checks))
       if (const auto finding = guards->check_particles())
+        return finding;
+    if (is_time(steps_between_contact_checks))
+      if (const auto finding = guards->check_contacts())
         return finding;
     if (!thoroughly && !suspicion &&
         system->step() < energy_known + steps_between_energy_checks)

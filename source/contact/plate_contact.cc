@@ -333,7 +333,8 @@ namespace Morsel::Contact
     const double speed = slip.norm();
     if (speed == 0.)
       return {};
-    const double size = std::min(most, 0.5 * slipping_mass * speed / time_step);
+    const double size =
+        std::min(most, stopped_slip * slipping_mass * speed / time_step);
     heat += size * speed * time_step;
     return -size / speed * slip;
   }

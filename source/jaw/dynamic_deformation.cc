@@ -24,13 +24,15 @@ namespace Morsel::Jaw
   DynamicDeformation::DynamicDeformation(
       std::unique_ptr<FE::ElasticBody> elastic_body,
       const dealii::Tensor<1, 2>      &initial_velocity,
+      const double                     beta,
       const double                     time_step,
       const MPI_Comm                   communicator)
       : Deformation(std::move(elastic_body))
       , communicator(communicator)
       , first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      , beta(beta)
       , dt(time_step)
-      , factors(body->factorise(1., 4. / (dt * dt)))
+      , factors(body->factorise(1., 1. / scale()))
   {
     w = half_velocity = acceleration = Eigen::VectorXd::Zero(body->n_dofs());
     for (unsigned int c = 0; c < 2; ++c)
@@ -50,11 +52,10 @@ namespace Morsel::Jaw
   contact_frequency(const FE::ElasticBody     &body,
                     const double               foundation,
                     const std::vector<double> &tributary,
-                    const double               time_step)
+                    const double               stiffness_share)
   {
-    const FE::Multifrontal mass =
-        body.factorise(0.25 * time_step * time_step, 1.);
-    Eigen::VectorXd springs(2 * tributary.size());
+    const FE::Multifrontal mass = body.factorise(stiffness_share, 1.);
+    Eigen::VectorXd        springs(2 * tributary.size());
     for (unsigned int k = 0; k < tributary.size(); ++k)
       springs[2 * k] = springs[2 * k + 1] = foundation * tributary[k];
     // Power iteration from what is smooth nowhere.
@@ -112,15 +113,15 @@ namespace Morsel::Jaw
     for (unsigned int c = 0; c < 2; ++c)
       outer_loads -= drive_acceleration[c] * mass_of_ones[c];
     const Eigen::VectorXd loads = outer_loads - inner_force();
-    acceleration                = 4. / (dt * dt) * factors.solve(loads);
+    acceleration                = 1. / scale() * factors.solve(loads);
     last_drive                  = drive;
 
     // The rows of the held dofs say what holds them.
     dealii::Tensor<1, 2> push;
     for (unsigned int c = 0; c < 2 && first_rank; ++c)
-      push[c] = (mass_of_held[c] + 0.25 * dt * dt * stiffness_of_held[c])
-                    .dot(acceleration) -
-                held_ones[c].dot(loads);
+      push[c] =
+          (mass_of_held[c] + scale() * stiffness_of_held[c]).dot(acceleration) -
+          held_ones[c].dot(loads);
     return push;
   }
 
@@ -131,7 +132,7 @@ namespace Morsel::Jaw
     if (time_step == dt)
       return;
     dt      = time_step;
-    factors = body->factorise(1., 4. / (dt * dt));
+    factors = body->factorise(1., 1. / scale());
   }
 
 
@@ -145,7 +146,7 @@ namespace Morsel::Jaw
     // last acceleration it would turn what the step does not resolve, whose
     // velocity there is zero, into the largest of all, and feed it.
     const Eigen::VectorXd predicted =
-        4. / (dt * dt) * factors.solve(outer_loads - inner_force());
+        1. / scale() * factors.solve(outer_loads - inner_force());
     surface_velocity = body->trace() * (half_velocity + lag * predicted);
   }
 
@@ -167,7 +168,7 @@ namespace Morsel::Jaw
       const Eigen::VectorXd whole =
           rate + of_drive[0] * ones[0] + of_drive[1] * ones[1];
       return 0.5 * whole.dot(body->mass() * whole) +
-             0.125 * dt * dt * rate.dot(body->stiffness() * rate);
+             0.5 * scale() * rate.dot(body->stiffness() * rate);
     };
     const auto drive_acceleration =
         (last_drive.velocity_after - last_drive.velocity_before) /

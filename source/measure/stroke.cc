@@ -177,6 +177,23 @@ namespace Morsel::Measure
   }
 
 
+  std::optional<double>
+  Stroke::largest_kinetic_over_strain_energy() const
+  {
+    if (!kinetic_over_strain_energy())
+      return std::nullopt;
+    double largest = 0.;
+    for (const Point &p : points)
+      {
+        if (p.stress >= 0.5 * compressive_strength() && p.elastic > 0.)
+          largest = std::max(largest, p.kinetic / p.elastic);
+        if (p.stress >= 0.95 * compressive_strength())
+          break;
+      }
+    return largest;
+  }
+
+
   bool
   Stroke::failed_completely() const
   {

@@ -85,15 +85,16 @@ namespace Morsel::Output
 
 
     /// The vertices of this rank's cells, in the order of XDMF.
+    /// @param first of its points
     template <int dim>
     std::vector<unsigned int>
-    cell_vertices(const Rows &points)
+    cell_vertices(const unsigned int first, const unsigned int n_points)
     {
       constexpr unsigned int n_vertices =
           dealii::GeometryInfo<dim>::vertices_per_cell;
-      std::vector<unsigned int> vertices(points.here);
+      std::vector<unsigned int> vertices(n_points);
       for (unsigned int k = 0; k < vertices.size(); ++k)
-        vertices[k] = points.first + k;
+        vertices[k] = first + k;
       if (dim == 2) // around the cell, not row by row
         for (unsigned int k = 0; k < vertices.size(); k += n_vertices)
           std::swap(vertices[k + 2], vertices[k + 3]);
@@ -101,11 +102,25 @@ namespace Morsel::Output
     }
 
 
+    /// Number of the first of this rank's points among those of all.
+    unsigned int
+    first_of_rank(const unsigned int n_points, const MPI_Comm communicator)
+    {
+      unsigned int first = 0; // where it is left undefined
+      const int    ierr =
+          MPI_Exscan(&n_points, &first, 1, MPI_UNSIGNED, MPI_SUM, communicator);
+      AssertThrowMPI(ierr);
+      return dealii::Utilities::MPI::this_mpi_process(communicator) == 0
+                 ? 0
+                 : first;
+    }
+
+
     template <int dim>
     void
     write_fields(HDF5File                        &file,
                  const ArrayView<const Point<2>> &points,
-                 const Rows                      &rows,
+                 const unsigned int               first,
                  const std::vector<Field>        &fields)
     {
       constexpr unsigned int n_vertices =
@@ -114,23 +129,17 @@ namespace Morsel::Output
       const auto          write = [&](const std::string &name,
                              const unsigned int columns,
                              const auto        &value) {
-        values.resize(rows.here * columns);
-        for (std::size_t p = 0; p < rows.here; ++p)
+        values.resize(points.size() * columns);
+        for (std::size_t p = 0; p < points.size(); ++p)
           for (unsigned int c = 0; c < columns; ++c)
             values[columns * p + c] = value(p, c);
-        file.write(name, values.data(), rows, columns);
+        file.write(name, values, columns);
       };
 
       write("nodes", 2, [&](const std::size_t p, const unsigned int c) {
         return points[p][c];
       });
-      const auto vertices = cell_vertices<dim>(rows);
-      file.write("cells",
-                 vertices.data(),
-                 {rows.first / n_vertices,
-                  rows.here / n_vertices,
-                  rows.all / n_vertices},
-                 n_vertices);
+      file.write("cells", cell_vertices<dim>(first, points.size()), n_vertices);
       for (const auto &field : fields)
         {
           const unsigned int n = field.n_components();
@@ -148,34 +157,6 @@ namespace Morsel::Output
                     });
         }
     }
-
-
-    /// The ranks that hold something: writing no rows makes HDF5 abort.
-    class WritingRanks
-    {
-    public:
-      WritingRanks(const bool holds_data, const MPI_Comm &all)
-      {
-        const int ierr =
-            MPI_Comm_split(all,
-                           holds_data ? 0 : MPI_UNDEFINED,
-                           dealii::Utilities::MPI::this_mpi_process(all),
-                           &communicator);
-        AssertThrowMPI(ierr);
-      }
-
-      WritingRanks(const WritingRanks &) = delete;
-      WritingRanks &
-      operator=(const WritingRanks &) = delete;
-
-      ~WritingRanks()
-      {
-        if (communicator != MPI_COMM_NULL)
-          MPI_Comm_free(&communicator);
-      }
-
-      MPI_Comm communicator = MPI_COMM_NULL;
-    };
   } // namespace
 
 
@@ -231,28 +212,11 @@ namespace Morsel::Output
     const std::string h5_name =
         name + "_" + dealii::Utilities::int_to_string(entries.size(), 6) +
         ".h5";
-    const std::string  temporary = folder + "/" + h5_name + ".tmp";
-    const WritingRanks writers(points.size() > 0, communicator);
-    int                failed = 0;
-    if (points.size() > 0)
-      try
-        {
-          const std::uint64_t here  = points.size();
-          std::uint64_t       first = 0;
-          const int           ierr  = MPI_Exscan(
-              &here, &first, 1, MPI_UINT64_T, MPI_SUM, writers.communicator);
-          AssertThrowMPI(ierr);
-          if (MPI::this_mpi_process(writers.communicator) == 0)
-            first = 0; // left undefined
-          HDF5File file(temporary, writers.communicator);
-          write_fields<dim>(file, points, {first, here, n_points}, fields);
-          file.close();
-        }
-      catch (const dealii::ExceptionBase &)
-        {
-          failed = 1;
-        }
-    publish(MPI::max(failed, communicator) == 0, temporary, h5_name);
+    const std::string temporary = folder + "/" + h5_name + ".tmp";
+    HDF5File          file(temporary, communicator);
+    write_fields<dim>(
+        file, points, first_of_rank(points.size(), communicator), fields);
+    publish(file.close(), temporary, h5_name);
 
     dealii::XDMFEntry entry(
         h5_name, h5_name, time, n_points, n_points / n_vertices, dim, 2);

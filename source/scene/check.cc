@@ -12,8 +12,8 @@ namespace Morsel::Scene
 {
   namespace
   {
-    /// Longitudinal wave speed and stable step of a body, once its material
-    /// is known to be sound.
+    /// Longitudinal wave speed and stable step of a body with the mass that its
+    /// inertia has, once its material is known to be sound.
     struct WaveLimits
     {
       double speed;  ///< c [m/s]
@@ -23,11 +23,12 @@ namespace Morsel::Scene
 
 
     WaveLimits
-    wave_limits(const ParticleBody &body)
+    wave_limits(const ParticleBody &body, const Scene &scene)
     {
       const double speed = Materials::Elasticity(body.material.youngs_modulus,
                                                  body.material.poissons_ratio,
-                                                 body.material.density)
+                                                 scene.time.inertia_factor *
+                                                     body.material.density)
                                .wave_speed;
       return {speed,
               body.solid.smoothing_ratio * body.spacing / speed,
@@ -150,7 +151,7 @@ namespace Morsel::Scene
                    const Scene        &scene,
                    Findings           &findings)
     {
-      const WaveLimits  limits  = wave_limits(body);
+      const WaveLimits  limits  = wave_limits(body, scene);
       const std::string section = "Body " + body.name + "/Solid/";
       if (4. * body.solid.smoothing_ratio >
           std::min(body.particles_across, body.particles_high()))
@@ -200,7 +201,7 @@ namespace Morsel::Scene
                   const Scene        &scene,
                   Findings           &findings)
     {
-      const WaveLimits limits = wave_limits(body);
+      const WaveLimits limits = wave_limits(body, scene);
       const double     step   = scene.time.time_step;
 
       // A particle (rho dp^2) on a spring of stiffness s (lambda + 2 mu) per
@@ -233,7 +234,7 @@ namespace Morsel::Scene
                   const Scene        &scene,
                   Findings           &findings)
     {
-      const WaveLimits limits = wave_limits(body);
+      const WaveLimits limits = wave_limits(body, scene);
       if (body.initial_velocity.norm() > 0.1 * limits.speed)
         findings.advise("Body " + body.name + "/Particles/Initial velocity",
                         "it is more than a tenth of the wave speed " +
@@ -385,6 +386,7 @@ namespace Morsel::Scene
         for (const PlateBody &plate : scene.plate_bodies)
           check_approach(plate, findings);
         check_drives(scene, findings);
+        check_mass_scaling(scene, findings);
         check_conditions(scene, findings);
       }
     if (!findings.clean())

@@ -97,6 +97,11 @@ namespace Morsel::Scene
       findings.mistake(material + "Young's modulus",
                        "Young's modulus must be positive, in Pa.");
 
+    if (given.beta > 0. && given.beta < 0.25)
+      findings.mistake("Body " + body.name + "/Deformation/Newmark beta",
+                       "below 0.25 the body's own waves limit the step; give "
+                       "0.25 to 1, or 0 for what suits the contact.");
+
     const auto held =
         dealii::Utilities::split_string_list(given.held_sides, ',');
     check_held_sides(body, held, findings);

@@ -3,6 +3,7 @@
 #include <morsel/core/suggestions.h>
 #include <morsel/materials/catalogue.h>
 #include <morsel/scene/complete.h>
+#include <morsel/scene/mass_scaling.h>
 #include <morsel/scene/outline.h>
 
 #include <deal.II/base/utilities.h>
@@ -278,6 +279,7 @@ namespace Morsel::Scene
         complete_solid(body, entries);
       }
     complete_approaches(scene);
+    scene.time.inertia_factor = inertia_factor(scene);
     read_pairs(pairs, scene, entries);
     if (scene.particle_bodies.empty())
       return;

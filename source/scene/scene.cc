@@ -220,6 +220,19 @@ namespace Morsel::Scene
                       time_step,
                       "Fixed time step [s]; 0 takes the largest stable one.",
                       Patterns::Double(0.));
+    prm.add_parameter(
+        "Mass scaling",
+        mass_scaling,
+        "Quasi-static scenes: density of all particles that their inertia "
+        "sees, over their material's [1]. Steps grow by its square root, and "
+        "all comes out as with plates faster by as much. 0 takes the largest "
+        "factor with which kinetic energy stays below 'Kinetic share'.",
+        Patterns::Double(0., 1e8));
+    prm.add_parameter("Kinetic share",
+                      kinetic_share,
+                      "With mass scaling: kinetic over strain energy before "
+                      "the food fails, at most [1]; more is warned of.",
+                      Patterns::Double(1e-8, 1.));
     prm.add_parameter("Retries",
                       retries,
                       "Where a guard finds bad numbers, the run goes back to "

@@ -27,6 +27,8 @@ namespace Morsel::SPH
     if (options.search_lattice)
       lattice.find(particles, *this, options.first_without_ghosts);
     pack(particles, particles.n_owned, options.breaks);
+    if (!options.breaks)
+      packed.place = std::vector<unsigned int>();
   }
 
 

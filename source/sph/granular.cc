@@ -10,10 +10,6 @@ namespace Morsel::SPH
 {
   namespace
   {
-    /// Above this |sum a X| dp [1] a particle of the intact lattice lies on
-    /// its surface (outermost row about 0.4, second row below 0.1).
-    constexpr double surface_limit = 0.2;
-
     GrainConstants
     constants_of_loops(const Particles             &particles,
                        const Kernel                &kernel,
@@ -65,9 +61,7 @@ namespace Morsel::SPH
                        : nullptr)
   {
     for (unsigned int i = 0; i < particles.n_owned; ++i)
-      on_surface[i] =
-          bonds.surface_measure(i, particles, kernel) * particles.spacing >
-          surface_limit;
+      on_surface[i] = bonds.on_surface(i, particles, kernel);
   }
 
 

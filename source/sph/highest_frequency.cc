@@ -13,12 +13,9 @@ namespace Morsel::SPH
 
     constexpr unsigned int most_steps = 60;
 
-    /// Residual of the eigenvector over the eigenvalue that is good enough.
-    constexpr double tolerance = 2e-3;
-
 
     double
-    product(const Field &a, const Field &b, const std::vector<double> &mass)
+    product_of(const Field &a, const Field &b, const std::vector<double> &mass)
     {
       double sum = 0.;
       for (unsigned int i = 0; i < mass.size(); ++i)
@@ -50,8 +47,14 @@ namespace Morsel::SPH
   double
   square_of_highest_frequency(
       const std::function<void(const Field &, Field &)> &acceleration,
-      const std::vector<double>                         &mass)
+      const std::vector<double>                         &mass,
+      const double                                       tolerance,
+      const std::function<double(double)>               &sum)
   {
+    const auto product = [&](const Field &a, const Field &b) {
+      const double mine = product_of(a, b, mass);
+      return sum ? sum(mine) : mine;
+    };
     Field        v(mass.size()), last(mass.size(), {0., 0.}), w(mass.size());
     std::mt19937 generator(1);
     for (Vector2 &x : v)
@@ -59,7 +62,7 @@ namespace Morsel::SPH
         x.x = generator() / 4294967295. - 0.5;
         x.y = generator() / 4294967295. - 0.5;
       }
-    scale(1. / std::sqrt(product(v, v, mass)), v);
+    scale(1. / std::sqrt(product(v, v)), v);
 
     std::vector<double> diagonal, side;
     double              bound = 0.;
@@ -67,11 +70,11 @@ namespace Morsel::SPH
       {
         acceleration(v, w);
         scale(-1., w);
-        diagonal.push_back(product(v, w, mass));
+        diagonal.push_back(product(v, w));
         add(-diagonal.back(), v, w);
         if (!side.empty())
           add(-side.back(), last, w);
-        const double beta = std::sqrt(product(w, w, mass));
+        const double beta = std::sqrt(product(w, w));
 
         const unsigned int                             n = diagonal.size();
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> tridiagonal;

@@ -58,26 +58,22 @@ namespace Morsel::SPH
   double
   kinetic_energy(const Leapfrog &leapfrog, const Particles &particles)
   {
-    double sum = 0.;
-    for (unsigned int i = 0; i < particles.n_owned; ++i)
-      {
-        const Vector2 v = leapfrog.velocity(particles, i);
-        sum += 0.5 * particles.mass[i] * (v.x * v.x + v.y * v.y);
-      }
-    return sum;
+    return parallel_sum(particles.n_owned, [&](const unsigned int i) {
+      const Vector2 v = leapfrog.velocity(particles, i);
+      return 0.5 * particles.mass[i] * (v.x * v.x + v.y * v.y);
+    });
   }
 
 
   double
   viscous_heat(const Leapfrog &leapfrog, const Particles &particles)
   {
-    double       sum = 0.;
+    if (particles.viscous.empty())
+      return 0.;
     const double lag = leapfrog.lag();
-    for (unsigned int i = 0;
-         i < (particles.viscous.empty() ? 0 : particles.n_owned);
-         ++i)
-      sum += particles.viscous_heat[i] + lag * viscous_power(particles, i, lag);
-    return sum;
+    return parallel_sum(particles.n_owned, [&](const unsigned int i) {
+      return particles.viscous_heat[i] + lag * viscous_power(particles, i, lag);
+    });
   }
 
 

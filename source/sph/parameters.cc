@@ -73,7 +73,8 @@ namespace Morsel::SPH
         "CFL factor",
         cfl,
         "Time step over the largest stable one [1]; that is h/c, c the "
-        "longitudinal wave speed, less what viscosity and contact take.",
+        "longitudinal wave speed, less what viscosity and contact take. "
+        "Friction that sticks 'damped' caps what is above 0.75.",
         Patterns::Double(1e-3, 1.5));
   }
 } // namespace Morsel::SPH

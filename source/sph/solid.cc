@@ -21,17 +21,36 @@ namespace Morsel::SPH
 
 
   double
+  Solid::damping_rate() const
+  {
+    // What has broken is damped even where the intact body is not.
+    return viscosity || fracture
+               ? viscous_damping_rate(constants.viscosity_alpha_c,
+                                      particles.spacing)
+               : 0.;
+  }
+
+
+  double
   Solid::stable_time_step(const double contact_stiffness) const
+  {
+    return stable_time_step(contact_stiffness, 0.);
+  }
+
+
+  double
+  Solid::stable_time_step(const double contact_stiffness,
+                          const double stopped) const
   {
     // A spring of stiffness k on one particle adds k/m to the square.
     const double w2 =
         highest_frequency + contact_stiffness / least_mass(particles, host);
-    // What has broken is damped even where the intact body is not.
-    const double g = viscosity || fracture
-                         ? viscous_damping_rate(constants.viscosity_alpha_c,
-                                                particles.spacing)
-                         : 0.;
-    return cfl * largest_stable_step(w2, g);
+    const double g    = damping_rate();
+    const double step = cfl * largest_stable_step(w2, g);
+    if (stopped == 0.)
+      return step;
+    return std::min(step,
+                    std::max(1., cfl) * largest_stable_step(w2, g, stopped));
   }
 
 

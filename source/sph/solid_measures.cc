@@ -1,6 +1,7 @@
 #include <morsel/core/parallel.h>
 #include <morsel/sph/solid.h>
 
+#include <atomic>
 #include <cmath>
 
 namespace Morsel::SPH
@@ -128,7 +129,8 @@ namespace Morsel::SPH
   double
   Solid::neighbours_per_particle() const
   {
-    return host.sum(static_cast<double>(bonds.n_packed())) / host.n_global();
+    return host.sum(static_cast<double>(bonds.list.start[particles.n_owned])) /
+           host.n_global();
   }
 
 
@@ -156,13 +158,27 @@ namespace Morsel::SPH
   {
     if (linear_law)
       return -1;
-    for (unsigned int i = 0; i < particles.n_owned; ++i)
-      {
-        const Materials::Tensor2 &H = particles.gradient[i];
-        const double              J = (1. + H.xx) * (1. + H.yy) - H.xy * H.yx;
-        if (!(J > 0.) && !(fracture && particles.failed[i]))
-          return i;
-      }
+    const char *const failed = fracture ? particles.failed.data() : nullptr;
+    const Materials::Tensor2 *const gradient    = particles.gradient.data();
+    const auto                      is_inverted = [=](const unsigned int i) {
+      const Materials::Tensor2 &H = gradient[i];
+      return !((1. + H.xx) * (1. + H.yy) - H.xy * H.yx > 0.) &&
+             !(failed && failed[i]);
+    };
+    std::atomic<bool> found = false;
+    parallel_for(
+        particles.n_owned,
+        [&](const unsigned int begin, const unsigned int end) {
+          bool any = false;
+          for (unsigned int i = begin; i < end; ++i)
+            any |= is_inverted(i);
+          if (any)
+            found = true;
+        },
+        2048);
+    for (unsigned int i = 0; found && i < particles.n_owned; ++i)
+      if (is_inverted(i))
+        return i;
     return -1;
   }
 } // namespace Morsel::SPH

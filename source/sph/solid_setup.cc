@@ -37,7 +37,7 @@ namespace Morsel::SPH
                body.solid.smoothing_ratio * body.spacing)
       , material(body.material.youngs_modulus,
                  body.material.poissons_ratio,
-                 body.material.density)
+                 scene.time.inertia_factor * body.material.density)
       , linear_law(body.material.law == "linear")
       , softening(body.damage.softening == "deviator"
                       ? Materials::Softening::deviator

@@ -73,7 +73,7 @@ namespace Morsel::SPH
       , epsilon(body.solid.artificial_stress)
       , material(body.material.youngs_modulus,
                  body.material.poissons_ratio,
-                 body.material.density)
+                 scene.time.inertia_factor * body.material.density)
       , kernel(kernel_named(body.solid.kernel),
                body.solid.smoothing_ratio * body.spacing)
       , skin(skin_ratio * body.spacing)

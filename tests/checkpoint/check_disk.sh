@@ -27,6 +27,16 @@ if mount -t tmpfs -o size=300k none small 2>/dev/null; then
         complain "$list is incomplete"
     done
   done
+  # Two ranks: none waits for the one that met the end of the disk.
+  for room in 300k 900k; do
+    rm -rf small/* && mount -o remount,size=$room small
+    timeout 100 mpirun -np 2 --oversubscribe --mca mpi_yield_when_idle 1 \
+      "$morsel" --threads 1 --quiet --output small/run --set "Output/Fields=true" \
+      --set "Time/End time=1e-4" "$(dirname "$scene")/breaking_ranks.prm" >message 2>&1
+    expect $? 4 "on a disk of $room, with two ranks"
+    expect_message "^morsel: Cannot write 'small/run/solution/.*No space left on device"
+    ! compgen -G 'small/run/*/*.tmp*' >/dev/null || complain "temporary files are left"
+  done
   rm -rf small/* && mount -o remount,size=40k small
   "$morsel" --quiet --output small/run \
     "$(dirname "$scene")/../../prm/fracture/m1_xfem.prm" >message 2>&1

@@ -12,11 +12,19 @@
 
 namespace Fuzz
 {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  // They reserve terabytes of addresses and take a few times as long.
+  constexpr double limit_of_time = 300., limit_of_memory = 0.;
+#else
+  constexpr double limit_of_time = 60., limit_of_memory = 4e9;
+#endif
+
+
   struct Limits
   {
-    double processor_time = 60.;  ///< [s]
-    double wall_time      = 900.; ///< [s]: the machine may be busy
-    double memory         = 4e9;  ///< addresses [B]; 0: no limit
+    double processor_time = limit_of_time;   ///< [s]
+    double wall_time      = 900.;            ///< [s]: the machine may be busy
+    double memory         = limit_of_memory; ///< addresses [B]; 0: no limit
     /// Processor time until SIGTERM is sent [s]; 0: never.
     double patience = 0.;
   };

@@ -389,6 +389,7 @@ BOOST_AUTO_TEST_CASE(crushed_food_stays_between_the_plates)
       bite.advance();
     }
   BOOST_TEST(!Guards(bite.guarded()).check_particles());
+  BOOST_TEST(!Guards(bite.guarded()).check_contacts());
   BOOST_TEST_MESSAGE(
       "crushed to 70 %: failed share "
       << bite.food().failed_share() << ", " << bite.step()

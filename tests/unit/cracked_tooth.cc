@@ -290,7 +290,7 @@ BOOST_AUTO_TEST_CASE(a_slow_dynamic_load_gives_the_static_stress_intensity)
   constexpr unsigned int  steps = 400;
   constexpr double        dt = 2e-5, end = steps * dt;
   Jaw::DynamicDeformation dynamic(
-      std::move(body), dealii::Tensor<1, 2>(), dt, MPI_COMM_SELF);
+      std::move(body), dealii::Tensor<1, 2>(), 0.25, dt, MPI_COMM_SELF);
   double          work       = 0.;
   Eigen::VectorXd last       = dynamic.displacement();
   Eigen::VectorXd last_force = 0. * forces;

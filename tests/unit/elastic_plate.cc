@@ -143,6 +143,40 @@ namespace
     impact.plateau = sum / weight;
     return impact;
   }
+
+
+  struct Held
+  {
+    double time_step, impulse = 0., largest = 0., energy_error = 0.,
+                      momentum_error = 0.;
+  };
+
+
+  /// Until the food has bounced off.
+  Held
+  run_held(const Scene::Scene &scene)
+  {
+    RunLog log("", true, false);
+    Bite   bite(scene, MPI_COMM_SELF, log);
+    Held   result{bite.time_step()};
+    bite.evaluate();
+    Measure::EnergyLedger   ledger(bite.energies());
+    Measure::MomentumLedger momentum(bite.momentum(),
+                                     bite.masses_times_speeds());
+    for (; bite.time() < 5e-4; bite.evaluate())
+      {
+        const double force = bite.get_plates()[0].force()[0];
+        result.impulse += force * bite.time_step();
+        result.largest = std::max(result.largest, force);
+        ledger.record(bite.energies(), force);
+        momentum.record(
+            bite.momentum(), bite.masses_times_speeds(), bite.impulses());
+        bite.advance();
+      }
+    result.energy_error   = ledger.largest_error();
+    result.momentum_error = momentum.largest_error();
+    return result;
+  }
 } // namespace
 
 
@@ -267,6 +301,49 @@ BOOST_AUTO_TEST_CASE(shared_forces_are_equal_opposite_and_of_the_energy)
   BOOST_TEST_MESSAGE("nodal forces differ from the energy's derivative by "
                      << worst / largest);
   BOOST_TEST(worst < 1e-4 * largest);
+}
+
+
+BOOST_AUTO_TEST_CASE(stiff_bars_leave_the_food_its_step)
+{
+  // A bar that is held behind answers the food's hit. The lighter it is, the
+  // smaller a step its mass needs on the springs of contact; with beta = 1/2
+  // its stiffness carries them, being more than that of the contact. Same
+  // impulse, momentum and energy exact.
+  double last_ratio = 1.;
+  for (const double lighter : {1., 10., 100.})
+    {
+      Held       runs[2];
+      const bool stiff[] = {false, true};
+      for (const bool carried : stiff)
+        {
+          Scene::Scene scene    = scene_of_impact(1.);
+          auto        &bar      = scene.plate_bodies[0].deformation;
+          bar.held_sides        = "right";
+          bar.density           = 250. / lighter;
+          bar.youngs_modulus    = 4e10;
+          bar.beta              = carried ? 0.5 : 0.25;
+          runs[carried ? 1 : 0] = run_held(scene);
+        }
+      const double ratio = runs[1].time_step / runs[0].time_step;
+      BOOST_TEST_MESSAGE(
+          "bar of density "
+          << 250. / lighter << ": steps longer by " << ratio
+          << ", impulse changes by " << runs[1].impulse / runs[0].impulse - 1.
+          << ", force by at most " << runs[1].largest / runs[0].largest - 1.
+          << "; energy within " << runs[0].energy_error << " and "
+          << runs[1].energy_error << ", momentum within "
+          << runs[1].momentum_error);
+      BOOST_TEST(ratio > 0.99 * last_ratio);
+      BOOST_TEST(runs[1].impulse == runs[0].impulse, tt::tolerance(0.01));
+      for (const Held &run : runs)
+        {
+          BOOST_TEST(run.energy_error < 0.01);
+          BOOST_TEST(run.momentum_error < 1e-11);
+        }
+      last_ratio = ratio;
+    }
+  BOOST_TEST(last_ratio > 3.5);
 }
 
 

@@ -312,6 +312,7 @@ BOOST_AUTO_TEST_CASE(a_broken_block_of_grains_keeps_its_account_of_energy)
           bite.advance();
         }
       BOOST_TEST(!Guards(bite.guarded()).check_particles());
+      BOOST_TEST(!Guards(bite.guarded()).check_contacts());
       BOOST_TEST_MESSAGE("modulus scatter "
                          << scatter << ": failed share "
                          << bite.food().failed_share() << ", " << bite.step()

@@ -34,7 +34,9 @@ namespace
     std::optional<Finding>
     check() const
     {
-      return Guards(system).check_particles();
+      const Guards guards(system);
+      const auto   of_particles = guards.check_particles();
+      return of_particles ? of_particles : guards.check_contacts();
     }
 
     SPH::Particles &

@@ -144,6 +144,40 @@ BOOST_AUTO_TEST_CASE(used_parameters_reproduce_the_scene)
 }
 
 
+BOOST_AUTO_TEST_CASE(scaled_mass_keeps_the_kinetic_energy_below_its_share)
+{
+  BOOST_TEST(Scene::read_scene(peanut).time.inertia_factor == 1.);
+  BOOST_TEST(
+      Scene::read_scene(peanut, {"Time/Mass scaling=7"}).time.inertia_factor ==
+      7.);
+  // Kinetic energy goes with the square of the speed, whose share it is.
+  const auto factor_at = [](const double speed, const char *share) {
+    return Scene::read_scene(peanut,
+                             {"Time/Mass scaling=0",
+                              std::string("Time/Kinetic share=") + share,
+                              "Body upper plate/Motion/Velocity=0, " +
+                                  std::to_string(-speed)})
+        .time.inertia_factor;
+  };
+  const double slow = factor_at(0.01, "0.01");
+  BOOST_TEST(slow == 4. * factor_at(0.02, "0.01"),
+             boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(slow == 0.1 * factor_at(0.01, "0.1"),
+             boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(factor_at(10., "0.01") == 1.);
+
+  const auto   scene         = Scene::read_scene(peanut);
+  const auto  &material      = scene.particle_bodies[0].material;
+  const double nu            = material.poissons_ratio;
+  const double strain_energy = 0.5 * material.compressive_strength *
+                               material.compressive_strength * (1. - nu * nu) /
+                               material.youngs_modulus;
+  BOOST_TEST(slow * material.density * 0.01 * 0.01 / 6. ==
+                 0.0075 * strain_energy,
+             boost::test_tools::tolerance(1e-9));
+}
+
+
 BOOST_AUTO_TEST_CASE(a_domain_that_is_not_given_encloses_the_bodies)
 {
   const std::string file = (std::filesystem::temp_directory_path() /

@@ -67,6 +67,7 @@ BOOST_AUTO_TEST_CASE(a_brittle_curve)
   BOOST_CHECK_CLOSE(stroke.peak_force(1), 9.18, 1e-6);
   BOOST_CHECK_CLOSE(stroke.peak_tangential_force(1), 2.04, 1e-6);
   BOOST_CHECK_CLOSE(*stroke.kinetic_over_strain_energy(), 0.02, 1e-6);
+  BOOST_CHECK_CLOSE(*stroke.largest_kinetic_over_strain_energy(), 0.02, 1e-6);
   // Below half at 0.022. No step begins in the second half of what follows.
   BOOST_CHECK_CLOSE(*stroke.time_of_half_force(), 0.022, 1e-6);
   BOOST_CHECK_CLOSE(*stroke.strain_from_peak_to_half(), 0.0016, 1e-4);

@@ -3,6 +3,8 @@
 // rule for the step is stable and not far below the limit.
 #include "solid_scene.h"
 
+#include <morsel/sph/stable_step.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include <random>
@@ -406,6 +408,90 @@ BOOST_AUTO_TEST_CASE(measured_step_of_the_conforming_gradient)
         BOOST_TEST(ratio < 1.03);
         BOOST_TEST(stable < 1.5);
         BOOST_TEST(above == 1e6);
+      }
+}
+
+
+BOOST_AUTO_TEST_CASE(measured_step_of_any_body)
+{
+  // Against the power iteration; the body is left as it was. Springs on the
+  // outermost particles can only raise the frequency, by no more than k/m.
+  for (const double scatter : {0., 0.2})
+    for (const char *gradient : {"gradient matrix", "conforming", "per axis"})
+      {
+        Scene::Scene scene       = scene_of_block(16, 16, dp, 0.3);
+        auto        &body        = scene.particle_bodies[0];
+        body.scatter             = scatter;
+        body.initial_velocity    = {1., 2.};
+        body.material.law        = "linear";
+        body.solid.normalisation = gradient;
+        body.solid.viscosity     = "off";
+        Solid        solid       = make_solid(scene);
+        const double limit       = limit_step(scene);
+        const double measured    = solid.measured_stable_time_step(0., 0.);
+        const double k  = solid.get_material().p_wave_modulus * scene.depth;
+        const double w2 = 4. / (measured * measured);
+        const double pressed  = solid.measured_stable_time_step(k, 0.);
+        const double w2_there = 4. / (pressed * pressed);
+        const auto  &p        = solid.get_particles();
+        BOOST_TEST_MESSAGE(gradient << ", scatter " << scatter
+                                    << ": measured step over the limit "
+                                    << measured / limit << ", in contact "
+                                    << pressed / measured << " of it");
+        BOOST_TEST(measured <= 1.001 * limit);
+        BOOST_TEST(measured > 0.97 * limit);
+        BOOST_TEST(w2_there > w2);
+        BOOST_TEST(w2_there < 1.03 * (w2 + k / p.least_mass()));
+        BOOST_TEST((p.motion[7].u_x == 0. && p.motion[7].v_x == 1. &&
+                    p.motion[7].v_y == 2. && p.acceleration[7].x == 0.));
+      }
+}
+
+
+BOOST_AUTO_TEST_CASE(step_of_an_oscillator_with_viscosity_and_friction)
+{
+  // One degree of freedom, stepped as the particles are, with dampers that act
+  // both ways and so count twice: the formula is the limit, to both sides.
+  const auto grows = [](const double w2,
+                        const double g,
+                        const double stopped,
+                        const double dt) {
+    double u = 1., v = 0., predicted = 0.;
+    for (unsigned int n = 0; n < 4000; ++n)
+      {
+        const double a = -w2 * u - (g + stopped / dt) * predicted;
+        v += (n == 0 ? 0.5 : 1.) * dt * a;
+        u += dt * v;
+        predicted = v + 0.5 * dt * a;
+      }
+    return !(std::abs(u) < 1e3);
+  };
+  for (const double w2 : {1., 9.})
+    for (const double g : {0., 0.7, 5.})
+      for (const double stopped : {0., 0.25, 0.5})
+        {
+          const double dt = largest_stable_step(w2, 2. * g, 2. * stopped);
+          BOOST_TEST(!grows(w2, g, stopped, 0.99 * dt));
+          BOOST_TEST(grows(w2, g, stopped, 1.01 * dt));
+        }
+}
+
+
+BOOST_AUTO_TEST_CASE(friction_takes_nothing_from_the_default_step)
+{
+  Scene::Scene scene = scene_of_block(16, 16, dp, 0.3);
+  for (const double alpha : {0., 1., 2., 10.})
+    for (const double cfl : {0.75, 0.95, 1.2})
+      {
+        auto &solid           = scene.particle_bodies[0].solid;
+        solid.viscosity       = "on";
+        solid.viscosity_alpha = alpha;
+        solid.cfl             = cfl;
+        const Solid  body     = make_solid(scene);
+        const double free     = body.stable_time_step(1e5);
+        const double rubbed   = body.stable_time_step(1e5, 0.5);
+        BOOST_TEST((cfl > 0.75 ? rubbed < free : rubbed == free));
+        BOOST_TEST(rubbed > std::max(1., cfl) / cfl * 0.749 * free);
       }
 }
 

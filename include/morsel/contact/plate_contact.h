@@ -14,6 +14,11 @@
 
 namespace Morsel::Contact
 {
+  /// Share of a particle's slip that friction stops in one step at most, unless
+  /// it sticks elastically [1]: a damper that the stable step has to know.
+  constexpr double stopped_slip = 0.5;
+
+
   /// Penalty contact between particles and one surface. Forces are equal and
   /// opposite; those on the surface are shared between a facet's two nodes
   /// so that neither force nor moment is lost.

@@ -3,6 +3,10 @@
 
 #include <deal.II/base/parallel.h>
 
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
 namespace Morsel
 {
   /// Runs f(begin, end) over subranges of [0, n) on the threads that deal.II
@@ -17,6 +21,27 @@ namespace Morsel
                const unsigned int grain = 512)
   {
     dealii::parallel::apply_to_subranges(0u, n, f, grain);
+  }
+
+
+  /// Sum of term(i) over [0, n), of blocks whose size does not depend on the
+  /// number of threads: neither does the result.
+  template <typename Term>
+  double
+  parallel_sum(const unsigned int n, const Term &term)
+  {
+    constexpr unsigned int block = 512;
+    std::vector<double>    sums((n + block - 1) / block, 0.);
+    parallel_for(
+        sums.size(),
+        [&](const unsigned int begin, const unsigned int end) {
+          for (unsigned int b = begin; b < end; ++b)
+            for (unsigned int i = b * block; i < std::min(n, (b + 1) * block);
+                 ++i)
+              sums[b] += term(i);
+        },
+        4);
+    return std::accumulate(sums.begin(), sums.end(), 0.);
   }
 } // namespace Morsel
 

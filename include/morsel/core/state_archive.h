@@ -57,9 +57,16 @@ namespace Morsel
 
     /// What was saved, on this rank.
     const std::string &
-    buffer() const
+    buffer() const &
     {
       return saved;
+    }
+
+    /// The same without a copy, of an archive that is given up.
+    std::string
+    buffer() &&
+    {
+      return std::move(saved);
     }
 
     /// Saves what another archive has saved, on this rank.

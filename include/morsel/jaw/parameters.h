@@ -24,6 +24,7 @@ namespace Morsel::Jaw
     unsigned int     tip_refinements = 0;  ///< halvings of cells about tips
     std::string      held_sides;           ///< that follow the motion
     double           tolerance = 0.01;     ///< of 'auto' [1]
+    double           beta      = 0.;       ///< Newmark's, of 'dynamic' [1]
     dealii::Point<2> initial_velocity;     ///< of a body not held [m/s]
 
     /// The sections "Deformation" and "Material".

@@ -104,6 +104,10 @@ namespace Morsel::Measure
     std::optional<double>
     kinetic_over_strain_energy() const;
 
+    /// The largest of that ratio from half of the peak on until there [1].
+    std::optional<double>
+    largest_kinetic_over_strain_energy() const;
+
     /// Whether the criterion of complete failure is met.
     bool
     failed_completely() const;

@@ -4,23 +4,16 @@
 #include <hdf5.h>
 #include <mpi.h>
 
-#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace Morsel::Output
 {
-  /// The rows of a table that this rank holds.
-  struct Rows
-  {
-    std::uint64_t first, here, all;
-  };
-
-
-  /// A new HDF5 file into which the ranks of a communicator write tables
-  /// together; a single one goes without MPI's files, whose library would
-  /// print what a full disk makes it think. All methods are collective and
-  /// throw dealii::ExcMessage where HDF5 fails; HDF5's own messages are kept
-  /// back.
+  /// A new HDF5 file of tables whose rows all ranks of a communicator hold. One
+  /// rank gathers them and writes, without MPI's files: there, a full disk that
+  /// one rank meets leaves the others waiting for it. All methods are
+  /// collective. What fails is remembered until close(); HDF5's own messages
+  /// are kept back.
   class HDF5File
   {
   public:
@@ -32,35 +25,34 @@ namespace Morsel::Output
     HDF5File &
     operator=(const HDF5File &) = delete;
 
-    /// @param values row by row, rows.here times @p columns
+    /// @param values of this rank, row by row
     void
-    write(const std::string &name,
-          const double      *values,
-          const Rows        &rows,
-          unsigned int       columns);
+    write(const std::string         &name,
+          const std::vector<double> &values,
+          unsigned int               columns);
 
     void
-    write(const std::string  &name,
-          const unsigned int *values,
-          const Rows         &rows,
-          unsigned int        columns);
+    write(const std::string               &name,
+          const std::vector<unsigned int> &values,
+          unsigned int                     columns);
 
-    /// Says whether all has reached the file.
-    void
+    /// Whether all has reached the file; the same answer on all ranks.
+    bool
     close();
 
   private:
+    template <typename Number>
     void
-    write_table(const std::string &name,
-                const void        *values,
-                hid_t              type,
-                const Rows        &rows,
-                unsigned int       columns);
+    gather_and_write(const std::string         &name,
+                     const std::vector<Number> &values,
+                     const hid_t                type,
+                     unsigned int               columns);
 
-    const bool  parallel;
-    H5E_auto2_t old_function = nullptr; ///< what prints messages
-    void       *old_data     = nullptr;
-    hid_t       file         = -1;
+    const MPI_Comm communicator;
+    H5E_auto2_t    old_function = nullptr; ///< what prints messages
+    void          *old_data     = nullptr;
+    hid_t          file         = -1;
+    bool           failed       = false;
   };
 } // namespace Morsel::Output
 

@@ -114,6 +114,11 @@ namespace Morsel::Scene
   check_solution(const Scene &scene, Findings &findings);
 
 
+  /// Checks that inertia is no part of what a scene with scaled mass asks for.
+  void
+  check_mass_scaling(const Scene &scene, Findings &findings);
+
+
   /// Checks supports, loads, observers and fields of velocity.
   void
   check_conditions(const Scene &scene, Findings &findings);

@@ -125,6 +125,13 @@ namespace Morsel::Scene
     std::string solution  = "transient"; ///< or "static"
     double      end_time  = 0.4;         ///< [s]
     double      time_step = 0.;          ///< [s], 0 = the stable step
+    /// Density of particles that their inertia sees over their material's
+    /// [1], for quasi-static scenes; 0 = by 'kinetic_share'.
+    double mass_scaling = 1.;
+    /// Largest kinetic over strain energy before failure [1].
+    double kinetic_share = 1e-3;
+    /// The factor that 'mass_scaling' stands for [1], derived.
+    double inertia_factor = 1.;
     /// With half the step from a good state, where the numbers go bad.
     unsigned int retries = 4;
 

@@ -127,7 +127,7 @@ namespace Morsel::SPH
     void
     exchange_state(StateArchive &state, const Particles &particles);
 
-    /// Entries in the rows of the owned particles.
+    /// Entries in the rows of the owned particles; 0 where none can be cut.
     unsigned int
     n_packed() const
     {
@@ -184,7 +184,21 @@ namespace Morsel::SPH
                     const Particles &particles,
                     const Kernel    &kernel) const;
 
+    /// Whether a particle of the intact body lies on its surface.
+    bool
+    on_surface(const unsigned int i,
+               const Particles   &particles,
+               const Kernel      &kernel) const
+    {
+      return surface_measure(i, particles, kernel) * particles.spacing >
+             surface_limit;
+    }
+
   private:
+    /// Of surface_measure() times the spacing [1]: the outermost row has about
+    /// 0.4, the second one less than 0.1.
+    static constexpr double surface_limit = 0.2;
+
     static constexpr unsigned int nowhere = -1;
 
     /// Entries of row @p i that have a weight.

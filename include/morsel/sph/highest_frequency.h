@@ -14,12 +14,16 @@ namespace Morsel::SPH
   /// eigenvector (within a few times 1e-3 of it, from above).
   /// @param acceleration accelerations at the given displacements
   /// @param mass         of every particle [kg]
+  /// @param tolerance    residual over the eigenvalue that is good enough [1]
+  /// @param sum          over all ranks, where particles live on several
   double
   square_of_highest_frequency(
       const std::function<void(const std::vector<Vector2> &displacements,
                                std::vector<Vector2>       &accelerations)>
-                                &acceleration,
-      const std::vector<double> &mass);
+                                          &acceleration,
+      const std::vector<double>           &mass,
+      double                               tolerance = 2e-3,
+      const std::function<double(double)> &sum       = {});
 } // namespace Morsel::SPH
 
 #endif

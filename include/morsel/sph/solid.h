@@ -40,6 +40,19 @@ namespace Morsel::SPH
     double
     stable_time_step(double contact_stiffness) const override;
 
+    /// The same, but no more than what is stable where friction stops the
+    /// share @p stopped of a particle's slip in every step [1]. Collective.
+    double
+    stable_time_step(double contact_stiffness, double stopped) const;
+
+    /// The largest stable step of the body as it is, at rest [s], with its
+    /// outermost particles on springs of @p contact_stiffness [N/m]: from its
+    /// highest frequency as square_of_highest_frequency() finds it in the
+    /// forces themselves, with the rule's viscosity. Before the first step;
+    /// the state is what it was. Collective.
+    double
+    measured_stable_time_step(double contact_stiffness, double stopped);
+
     void
     compute_accelerations(double time_step) override;
 
@@ -197,6 +210,10 @@ namespace Morsel::SPH
     /// Of the undeformed body.
     double
     measured_highest_frequency();
+
+    /// Rate at which viscosity damps, as far as the step goes [1/s].
+    double
+    damping_rate() const;
 
     void
     choose_loops(const Scene::ParticleBody &body);

@@ -7,11 +7,21 @@ namespace Morsel::SPH
 {
   /// Largest stable leapfrog step [s] of a system whose highest frequency
   /// squared is @p w2 [1/s^2], damped at the rate @p g [1/s] by a viscosity
-  /// that is evaluated at a predicted velocity: w^2 dt^2/4 + g dt/2 < 1.
+  /// that is evaluated at a predicted velocity: w^2 dt^2/4 + g dt/2 < 1. A
+  /// damper that acts both ways would count in full, w^2 dt^2/4 + g dt < 1;
+  /// artificial viscosity acts on approaching pairs alone, on half of a wave's.
+  ///
+  /// Friction that stops the share @p stopped of a slip in every step [1] is a
+  /// damper of the rate stopped/dt, however short the step. It acts along the
+  /// surface alone, on half of the energy of the shortest waves there:
+  /// w^2 dt^2/4 + g dt/2 + stopped/2 < 1.
   inline double
-  largest_stable_step(const double w2, const double g)
+  largest_stable_step(const double w2,
+                      const double g,
+                      const double stopped = 0.)
   {
-    return (std::sqrt(0.25 * g * g + w2) - 0.5 * g) * 2. / w2;
+    const double room = 1. - 0.5 * stopped;
+    return (std::sqrt(0.25 * g * g + room * w2) - 0.5 * g) * 2. / w2;
   }
 
 
