@@ -90,9 +90,17 @@ namespace Morsel::SPH
 
     // As many records on any number of ranks.
     using Lists = std::vector<std::vector<unsigned int>>;
-    Lists plan, lists;
+    Lists               plan, lists;
+    std::vector<double> boxes;
     if (exchange)
-      plan = exchange->get_plan();
+      {
+        plan  = exchange->get_plan();
+        boxes = exchange->get_boxes();
+      }
+    double travelled = particles.travelled - travelled_at_build;
+    state.cache(foreign_near.start, foreign_near.index, boxes, travelled);
+    if (state.loads())
+      travelled_at_build = particles.travelled - travelled;
     for (const Block &block : blocks)
       lists.insert(lists.end(),
                    {{block.first, block.last, block.n_rows, block.n_grains},
@@ -107,7 +115,10 @@ namespace Morsel::SPH
     if (!state.loads() || !there)
       return;
     if (exchange)
-      exchange->set_plan(plan);
+      {
+        exchange->set_plan(plan);
+        exchange->set_boxes(boxes);
+      }
     number_members();
     grid.build({built_at.begin(), built_at.begin() + n_in_grid},
                kernel.support() + 2. * longest_allowance);

@@ -77,7 +77,7 @@ namespace Morsel::SPH
         deviator[i]    = {0., 0., 0.};
         energy[i]      = grain_energy(i);
       }
-    stale      = stale || exchange || !any_failed;
+    stale      = stale || !any_failed;
     any_failed = true;
     changed.insert(changed.end(), parted.begin(), parted.end());
   }
@@ -89,9 +89,7 @@ namespace Morsel::SPH
     bool old = stale;
     if (!old)
       {
-        if (!changed.empty())
-          amend_list(time_step);
-        old = gather_rates(time_step);
+        old = !amend_list(time_step) || gather_rates(time_step);
         if (ranks)
           old = ranks->maximum(old) > 0.;
       }

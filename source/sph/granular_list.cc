@@ -15,9 +15,6 @@ namespace Morsel::SPH
     constexpr double       least_allowance = 0.02, largest_allowance = 0.2;
     constexpr unsigned int steps_allowed = 40;
 
-    /// So many members may join before the list is built anew.
-    constexpr unsigned int most_joining = 128;
-
     /// Contact diameter of a grain over that of live material: grains
     /// may be packed closer than the lattice before they repel.
     constexpr double grain_diameter = 0.8;
@@ -54,9 +51,10 @@ namespace Morsel::SPH
     grid.build(built_at, reach);
 
     const unsigned int n = candidates.size();
+    n_in_grid            = n;
     members.resize(n);
-    member_failed.resize(n);
-    allowance.resize(n);
+    member_failed.assign(first_foreign(), 0);
+    allowance.assign(first_foreign(), 0.);
     for (unsigned int m = 0; m < n; ++m)
       {
         members[m]       = candidates[grid.sorted()[m]];
@@ -66,11 +64,10 @@ namespace Morsel::SPH
       }
     if (exchange)
       find_foreign(reach);
-    n_in_grid = n;
     number_members();
 
     // The dummy is out of reach of everything.
-    dummy            = n + (exchange ? foreign.size() : most_joining);
+    dummy            = first_foreign() + foreign.size();
     const auto empty = [&](auto &values, const auto &far) {
       values.clear();
       values.resize(dummy + 1, far);
@@ -87,8 +84,8 @@ namespace Morsel::SPH
       }
     for (unsigned int f = 0; f < foreign.size(); ++f)
       {
-        size[n + f] = foreign[f].size;
-        mass[n + f] = foreign[f].mass;
+        size[first_foreign() + f] = foreign[f].size;
+        mass[first_foreign() + f] = foreign[f].mass;
       }
 
     blocks.clear();
@@ -139,25 +136,27 @@ namespace Morsel::SPH
   }
 
 
-  void
+  bool
   Granular::amend_list(const double time_step)
   {
+    if (changed.empty())
+      return true;
+    if (exchange && change_concerns_others())
+      return false;
     const unsigned int n_before = members.size();
     for (const unsigned int i : changed)
       if (number[i] == nobody)
         {
-          if (members.size() == n_in_grid + most_joining)
-            {
-              rebuild_list(time_step);
-              return;
-            }
-          number[i] = members.size();
+          const unsigned int m = members.size();
+          if (m == first_foreign())
+            return false;
+          number[i] = m;
           members.push_back(i);
-          member_failed.push_back(0);
           built_at.push_back(particles.position(i));
-          allowance.push_back(
-              std::min(allowance_of(i, time_step), longest_allowance));
-          mass[number[i]] = particles.mass[i];
+          member_failed[m] = 0;
+          allowance[m] =
+              std::min(allowance_of(i, time_step), longest_allowance);
+          mass[m] = particles.mass[i];
         }
     while (!blocks.empty() && blocks.back().last > n_in_grid)
       blocks.pop_back();
@@ -187,6 +186,7 @@ namespace Morsel::SPH
                          affected.begin() + block.last,
                          [](const char a) { return a != 0; });
     });
+    return true;
   }
 
 
@@ -216,7 +216,7 @@ namespace Morsel::SPH
         for (unsigned int n = n_in_grid; n < members.size(); ++n)
           if (n != m)
             add_pair(block, pairs, m, n, (built_at[n] - x).norm_square());
-        if (exchange)
+        if (exchange && m < n_in_grid)
           for (unsigned int k = foreign_near.start[m];
                k < foreign_near.start[m + 1];
                ++k)
@@ -225,7 +225,7 @@ namespace Morsel::SPH
               add_pair(block,
                        pairs,
                        m,
-                       members.size() + f,
+                       first_foreign() + f,
                        (foreign[f].place - x).norm_square());
             }
         block.live_start.push_back(pairs.live.size());
@@ -305,9 +305,9 @@ namespace Morsel::SPH
   Granular::unbonded(const unsigned int m, const unsigned int n) const
   {
     // A member of another rank that this one does not know was never bonded.
-    const long other = n < members.size()
+    const long other = n < first_foreign()
                            ? static_cast<long>(members[n])
-                           : local.find(foreign[n - members.size()].id);
+                           : local.find(foreign[n - first_foreign()].id);
     const long k     = other < 0 ? -1 : bonds.find(members[m], other);
     return k < 0 || !bonds.live[k];
   }

@@ -2,6 +2,7 @@
 
 #include <morsel/sph/granular.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace Morsel::SPH
@@ -26,7 +27,11 @@ namespace Morsel::SPH
   void
   Granular::find_foreign(const double reach)
   {
-    exchange->find(built_at, grid, reach);
+    std::vector<dealii::Point<2>> all;
+    for (unsigned int i = 0; i < particles.n_owned; ++i)
+      all.push_back(particles.position(i));
+    exchange->find(built_at, all, grid, reach, kernel.support());
+    travelled_at_build = particles.travelled;
     foreign.clear();
     exchange->exchange<Foreign>(
         [&](const unsigned int m) -> Foreign {
@@ -73,10 +78,27 @@ namespace Morsel::SPH
   }
 
 
+  bool
+  Granular::change_concerns_others() const
+  {
+    // What lies outside of others' boxes stays out of reach of what is in them
+    // as long as nothing has gone further than their margin.
+    if (particles.travelled - travelled_at_build > 0.5 * kernel.support())
+      return true;
+    return std::any_of(
+        changed.begin(), changed.end(), [&](const unsigned int i) {
+          const unsigned int m = number[i];
+          return m < n_in_grid
+                     ? foreign_near.start[m] < foreign_near.start[m + 1]
+                     : exchange->is_near_others(particles.position(i));
+        });
+  }
+
+
   void
   Granular::exchange_rates_of_members()
   {
-    const unsigned int n = members.size();
+    const unsigned int n = first_foreign();
     exchange->exchange<Rates>(
         [&](const unsigned int m) -> Rates {
           return {motion[m], area[m]};
@@ -91,7 +113,7 @@ namespace Morsel::SPH
   void
   Granular::exchange_state_of_members()
   {
-    const unsigned int n = members.size();
+    const unsigned int n = first_foreign();
     exchange->exchange<State>(
         [&](const unsigned int m) -> State {
           return {motion[m], member_stress[m]};

@@ -24,10 +24,13 @@ namespace Morsel::SPH
 
   void
   MemberExchange::find(const std::vector<Point<2>> &own,
+                       const std::vector<Point<2>> &all,
                        const CellGrid              &grid,
-                       const double                 reach)
+                       const double                 reach,
+                       const double                 margin)
   {
-    find_partners(own, reach);
+    near_others = reach + margin;
+    find_partners(all);
     offer(own, reach);
     exchange_counts();
 
@@ -70,8 +73,7 @@ namespace Morsel::SPH
 
 
   void
-  MemberExchange::find_partners(const std::vector<Point<2>> &own,
-                                const double                 reach)
+  MemberExchange::find_partners(const std::vector<Point<2>> &own)
   {
     constexpr double far = std::numeric_limits<double>::infinity();
     Box              box{{far, far}, {-far, -far}};
@@ -99,8 +101,8 @@ namespace Morsel::SPH
         // The same comparisons on both sides.
         bool meet = r != rank;
         for (unsigned int d = 0; d < 2; ++d)
-          meet = meet && box.lower[d] - reach <= other.upper[d] &&
-                 other.lower[d] - reach <= box.upper[d];
+          meet = meet && box.lower[d] - near_others <= other.upper[d] &&
+                 other.lower[d] - near_others <= box.upper[d];
         if (!meet)
           continue;
         partners.push_back(r);
@@ -127,6 +129,19 @@ namespace Morsel::SPH
           }
         send_start.push_back(send_index.size());
       }
+  }
+
+
+  bool
+  MemberExchange::is_near_others(const Point<2> &x) const
+  {
+    return std::any_of(boxes.begin(), boxes.end(), [&](const Box &box) {
+      bool inside = true;
+      for (unsigned int d = 0; d < 2; ++d)
+        inside = inside && x[d] >= box.lower[d] - near_others &&
+                 x[d] <= box.upper[d] + near_others;
+      return inside;
+    });
   }
 
 
@@ -213,5 +228,27 @@ namespace Morsel::SPH
     send_start    = plan.at(1);
     receive_start = plan.at(2);
     send_index    = plan.at(3);
+  }
+
+
+  std::vector<double>
+  MemberExchange::get_boxes() const
+  {
+    std::vector<double> numbers{near_others};
+    for (const Box &box : boxes)
+      numbers.insert(numbers.end(),
+                     {box.lower[0], box.lower[1], box.upper[0], box.upper[1]});
+    return numbers;
+  }
+
+
+  void
+  MemberExchange::set_boxes(const std::vector<double> &numbers)
+  {
+    near_others = numbers.at(0);
+    boxes.clear();
+    for (std::size_t k = 1; k + 3 < numbers.size(); k += 4)
+      boxes.push_back({Point<2>(numbers[k], numbers[k + 1]),
+                       Point<2>(numbers[k + 2], numbers[k + 3])});
   }
 } // namespace Morsel::SPH

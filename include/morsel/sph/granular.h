@@ -110,6 +110,16 @@ namespace Morsel::SPH
   private:
     static constexpr unsigned int nobody = -1;
 
+    /// So many members may join before the list is built anew.
+    static constexpr unsigned int most_joining = 128;
+
+    /// Other ranks' members stand behind those that may join.
+    unsigned int
+    first_foreign() const
+    {
+      return n_in_grid + most_joining;
+    }
+
     /// Members that are worked on together.
     static constexpr unsigned int block_size = 64;
 
@@ -148,9 +158,13 @@ namespace Morsel::SPH
     rebuild_list(double time_step);
 
     /// Lets what has changed since the list was built join it, where that is
-    /// little; on one rank.
-    void
+    /// little and no other rank's business. @return whether it is
+    bool
     amend_list(double time_step);
+
+    /// Whether what has changed may have pairs with other ranks' members.
+    bool
+    change_concerns_others() const;
 
     void
     number_members();
@@ -262,15 +276,16 @@ namespace Morsel::SPH
     std::unique_ptr<MemberExchange> exchange;
 
     // Unbonded pairs near each other, rebuilt when anything has moved far.
-    // Members stand cell by cell, followed by those that have joined or by
-    // those of other ranks, and by a far dummy that fills up rows.
+    // Members stand cell by cell, followed by those that have joined, by those
+    // of other ranks, and by a far dummy that fills up rows.
     std::vector<unsigned int>     members;
     std::vector<unsigned int>     number; ///< of each particle, or nobody
     unsigned int                  n_in_grid = 0; ///< which do stand so
     unsigned int                  dummy     = 0;
     std::vector<unsigned int>     changed; ///< particles not yet listed as are
     std::vector<Foreign>          foreign;
-    NeighbourList                 foreign_near; ///< of each of the members
+    NeighbourList                 foreign_near; ///< of each of those in cells
+    double                        travelled_at_build = 0.; ///< see Particles
     std::vector<char>             member_failed;
     std::vector<dealii::Point<2>> built_at;
     std::vector<double>           allowance; ///< also of other ranks' [m]

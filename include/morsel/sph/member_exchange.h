@@ -29,12 +29,21 @@ namespace Morsel::SPH
     /// Finds the points of other ranks that this rank's need, and who needs
     /// this rank's. Both ranks of a pair agree about it.
     /// @param own points of this rank, in the order of the grid's sorted()
-    /// @param grid of these, whose cells are no smaller than @p reach
+    /// @param all that this rank may ever take part with
+    /// @param grid of the points, whose cells are no smaller than @p reach
     /// @param reach within which points need each other [m]
+    /// @param margin by which all may move until is_near_others() is asked [m]
     void
     find(const std::vector<dealii::Point<2>> &own,
+         const std::vector<dealii::Point<2>> &all,
          const CellGrid                      &grid,
-         double                               reach);
+         double                               reach,
+         double                               margin);
+
+    /// Whether what another rank may take part with can be within reach of
+    /// @p x, a place of this rank, since find().
+    bool
+    is_near_others(const dealii::Point<2> &x) const;
 
     /// Points of other ranks that this rank needs, grouped by rank.
     unsigned int
@@ -69,12 +78,19 @@ namespace Morsel::SPH
 
     void
     set_plan(const std::vector<std::vector<unsigned int>> &plan);
+
+    /// And where the others are.
+    std::vector<double>
+    get_boxes() const;
+
+    void
+    set_boxes(const std::vector<double> &numbers);
     ///@}
 
   private:
-    /// The box of this rank's points, and whose boxes are in reach of it.
+    /// The box of this rank's points, and whose boxes are near it.
     void
-    find_partners(const std::vector<dealii::Point<2>> &own, double reach);
+    find_partners(const std::vector<dealii::Point<2>> &own);
 
     /// Points of this rank near each partner's box.
     void
@@ -99,6 +115,7 @@ namespace Morsel::SPH
 
     std::vector<unsigned int> partners; ///< ranks
     std::vector<Box>          boxes;    ///< theirs
+    double near_others = 0.; ///< reach and margin of the last find() [m]
     /// Per partner, n_partners + 1 places.
     std::vector<unsigned int> send_start, receive_start;
     std::vector<unsigned int> send_index; ///< of this rank's points
