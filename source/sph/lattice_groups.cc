@@ -296,7 +296,7 @@ namespace Morsel::SPH
 
 
   void
-  LatticeGroups::take_motion_of_ghosts(const Particles &particles)
+  LatticeGroups::take_motion_of_ghosts(const Particles &particles) const
   {
     if (empty())
       return;
@@ -312,7 +312,7 @@ namespace Morsel::SPH
 
 
   void
-  LatticeGroups::take_stress_of_ghosts(const Particles &particles)
+  LatticeGroups::take_stress_of_ghosts(const Particles &particles) const
   {
     if (empty())
       return;

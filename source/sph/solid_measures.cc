@@ -19,6 +19,7 @@ namespace Morsel::SPH
                 column_loop(arrays, constants, begin, end);
             },
             64);
+        bonds.lattice.take_motion_of_ghosts(particles);
         parallel_for(
             particles.n_groups(),
             [&](unsigned int begin, unsigned int end) {
@@ -139,7 +140,9 @@ namespace Morsel::SPH
   {
     if (fracture && particles.failed[i])
       return granular->density_ratio(i);
-    return 1. / response_at(particles, material, linear_law, i).jacobian;
+    const Materials::Tensor2 &H = particles.gradient[i];
+    return 1. / (linear_law ? 1. + H.xx + H.yy
+                            : (1. + H.xx) * (1. + H.yy) - H.xy * H.yx);
   }
 
 
@@ -148,7 +151,10 @@ namespace Morsel::SPH
   {
     unsigned int count = 0;
     for (unsigned int i = 0; i < particles.n_owned; ++i)
-      count += !(density_ratio(i) > 0.) || !std::isfinite(density_ratio(i));
+      {
+        const double ratio = density_ratio(i);
+        count += !(ratio > 0.) || !std::isfinite(ratio);
+      }
     return count;
   }
 

@@ -66,13 +66,14 @@ namespace Morsel::SPH
     leave(unsigned int i, const NeighbourList &list);
 
     /// @name Of other ranks' particles, into the columns; between the owned
-    /// ones' and the loops that read them.
+    /// ones' (whose last group writes over the first of the ghosts) and the
+    /// loops that read them.
     ///@{
     void
-    take_motion_of_ghosts(const Particles &particles);
+    take_motion_of_ghosts(const Particles &particles) const;
 
     void
-    take_stress_of_ghosts(const Particles &particles);
+    take_stress_of_ghosts(const Particles &particles) const;
     ///@}
 
     /// Fills the addresses of @p arrays.
@@ -143,7 +144,9 @@ namespace Morsel::SPH
     double              spacing  = 0.; ///< [m]
     Symmetric2          shape;         ///< B [1]
 
-    std::array<dealii::AlignedVector<double>, n_lattice_columns> columns;
+    /// Copies of the particles' fields for the loops.
+    mutable std::array<dealii::AlignedVector<double>, n_lattice_columns>
+        columns;
   };
 } // namespace Morsel::SPH
 
