@@ -1,5 +1,6 @@
 #include "recorder.h"
 
+#include <morsel/core/suggestions.h>
 #include <morsel/measure/fragment_sizes.h>
 #include <morsel/measure/whole_body.h>
 
