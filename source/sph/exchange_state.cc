@@ -97,7 +97,7 @@ namespace Morsel::SPH
         plan  = exchange->get_plan();
         boxes = exchange->get_boxes();
       }
-    double travelled = particles.travelled - travelled_at_build;
+    double travelled = exchange ? particles.travelled - travelled_at_build : 0.;
     state.cache(foreign_near.start, foreign_near.index, boxes, travelled);
     if (state.loads())
       travelled_at_build = particles.travelled - travelled;
