@@ -19,6 +19,14 @@ namespace Morsel::SPH
                 column_loop(arrays, constants, begin, end);
             },
             64);
+        // What is past the last owned particle of its group is overwritten.
+        for (unsigned int i = particles.n_owned;
+             i < particles.n_local && !bonds.lattice.empty();
+             ++i)
+          {
+            arrays.lattice.column[column_u_x][i] = particles.motion[i].u_x;
+            arrays.lattice.column[column_u_y][i] = particles.motion[i].u_y;
+          }
         parallel_for(
             particles.n_groups(),
             [&](unsigned int begin, unsigned int end) {

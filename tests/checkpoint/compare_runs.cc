@@ -119,9 +119,9 @@ namespace
             comparison.numbers(name, x, y, std::max(std::abs(x), std::abs(y)));
           }
       }
-    if (first.size() != second.size())
-      comparison.complain("The summaries have " + std::to_string(first.size()) +
-                          " and " + std::to_string(second.size()) + " entries");
+    for (const auto &[name, entry] : second.items())
+      if (comparison.concerns(name) && !first.contains(name))
+        comparison.complain(name + " is new");
   }
 
 
