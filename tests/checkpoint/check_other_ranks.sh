@@ -38,7 +38,7 @@ rm -rf run
 "${two[@]}" "$morsel" --threads 1 --quiet --output run "$scene" >message 2>&1 &
 pid=$!
 wait_for_file run/history.csv
-sleep 0.3
+sleep 0.1
 victim="$(pgrep -f -- "^$morsel --threads 1 --quiet --output run $scene" | tail -1)"
 [ -n "$victim" ] || complain "there is no rank to kill"
 kill -9 "$victim"
