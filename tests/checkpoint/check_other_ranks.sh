@@ -22,7 +22,7 @@ expect $? 0 "on two ranks"
 
 rm -rf run
 "${two[@]}" "$morsel" --threads 1 --quiet --output run \
-  --set "Output/Checkpoint interval=5e-3" "$scene" >message 2>&1
+  --set "Output/Checkpoint interval=1e-3" "$scene" >message 2>&1
 expect $? 0 "two ranks with checkpoints"
 "$compare" whole run 1e-6 || complain "the results of two ranks differ"
 cp -r run of_two
@@ -38,7 +38,7 @@ rm -rf run
 "${two[@]}" "$morsel" --threads 1 --quiet --output run "$scene" >message 2>&1 &
 pid=$!
 wait_for_file run/history.csv
-sleep 0.3
+sleep 0.1
 victim="$(pgrep -f -- "^$morsel --threads 1 --quiet --output run $scene" | tail -1)"
 [ -n "$victim" ] || complain "there is no rank to kill"
 kill -9 "$victim"
