@@ -144,7 +144,7 @@ def draw(points, file_name):
         slope, _ = statistics.linear_regression(x, y)
         middle = points[part][1]
         axes.annotate(f"{label}: time ~ N^{slope:.2f}", (middle[0], 1e3 * middle[1]),
-                      textcoords="offset points", xytext=(-12, 12), ha="right")
+                      textcoords="offset points", xytext=(12, -14), ha="left")
         print(f"Exponent of {label} sizes: {slope:.3f}")
     axes.set_xlabel("particles N")
     axes.set_ylabel("time of a step [ms]")
