@@ -138,13 +138,14 @@ def draw(points, file_name):
     from matplotlib import pyplot
     figure, axes = pyplot.subplots(figsize=(6, 4.2), constrained_layout=True)
     axes.loglog(*zip(*[(n, 1e3 * t) for n, t in points]), "o-", label="elastic block, 2 threads")
-    for part, label in ((slice(0, 4), "small"), (slice(-4, None), "large")):
+    for part, label, offset, side in ((slice(0, 4), "small", (12, -14), "left"),
+                                      (slice(-4, None), "large", (-12, 12), "right")):
         x = [math.log(n) for n, _ in points[part]]
         y = [math.log(t) for _, t in points[part]]
         slope, _ = statistics.linear_regression(x, y)
         middle = points[part][1]
         axes.annotate(f"{label}: time ~ N^{slope:.2f}", (middle[0], 1e3 * middle[1]),
-                      textcoords="offset points", xytext=(12, -14), ha="left")
+                      textcoords="offset points", xytext=offset, ha=side)
         print(f"Exponent of {label} sizes: {slope:.3f}")
     axes.set_xlabel("particles N")
     axes.set_ylabel("time of a step [ms]")
