@@ -7,8 +7,38 @@
 #include <numeric>
 #include <vector>
 
+#if defined(__SANITIZE_THREAD__)
+extern "C" void
+__tsan_acquire(void *address);
+extern "C" void
+__tsan_release(void *address);
+#endif
+
 namespace Morsel
 {
+  /// TBB is not instrumented: ThreadSanitizer has to be told what passes from
+  /// the thread that starts tasks to them, and back.
+  class HandOver
+  {
+  public:
+    void
+    give()
+    {
+#if defined(__SANITIZE_THREAD__)
+      __tsan_release(this);
+#endif
+    }
+
+    void
+    take()
+    {
+#if defined(__SANITIZE_THREAD__)
+      __tsan_acquire(this);
+#endif
+    }
+  };
+
+
   /// Runs f(begin, end) over subranges of [0, n) on the threads that deal.II
   /// was given. Every element is worked on by one thread alone and must not
   /// touch another's results: the outcome does not depend on the number of
@@ -20,7 +50,18 @@ namespace Morsel
                const Function    &f,
                const unsigned int grain = 512)
   {
-    dealii::parallel::apply_to_subranges(0u, n, f, grain);
+    HandOver to_tasks, from_tasks;
+    to_tasks.give();
+    dealii::parallel::apply_to_subranges(
+        0u,
+        n,
+        [&](const unsigned int begin, const unsigned int end) {
+          to_tasks.take();
+          f(begin, end);
+          from_tasks.give();
+        },
+        grain);
+    from_tasks.take();
   }
 
 
