@@ -312,6 +312,7 @@ namespace Morsel::Contact
           candidates.push_back({i,
                                 first,
                                 static_cast<unsigned int>(facets_near.size()),
+                                0,
                                 clearance});
       }
   }

@@ -41,7 +41,7 @@ namespace Morsel::SPH
                   member_size(m),
                   particles.mass[i],
                   allowance[m],
-                  member_failed[m]};
+                  member_failed[m] != 0};
         },
         [&](const unsigned int, const Foreign &f) { foreign.push_back(f); });
     for (const Foreign &f : foreign)

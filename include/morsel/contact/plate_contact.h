@@ -111,6 +111,7 @@ namespace Morsel::Contact
     struct Candidate
     {
       unsigned int particle, first, last;
+      unsigned int unused;    ///< 0: no byte of a checkpoint is left to chance
       double       clearance; ///< least distance at the search, or less [m]
     };
 

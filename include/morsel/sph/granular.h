@@ -149,7 +149,7 @@ namespace Morsel::SPH
       GrainSize          size;
       double             mass;
       double             allowance; ///< [m]
-      char               failed;
+      unsigned long long failed;    ///< so wide: no byte is left to chance
     };
 
     /// Finds the unbonded pairs that can come near each other before any
