@@ -147,6 +147,9 @@ main(int argc, char **argv)
       // OpenMPI else starts a daemon, in case this process should want to start
       // others: 0.06 s.
       ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+      // All such processes would share one folder of temporary files, and one
+      // that ends takes it from others that begin; one rank needs none.
+      ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
     }
 
   // What ranks of one machine tell each other in a step is some kilobytes. The
