@@ -175,7 +175,6 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           const V    s       = driver_at(before);
           V          value   = s - r * (1. - used);
           const auto softens = (range > 0.) & (value > 0.);
-          const auto nowhere = softens & ~softens;
           store(state.damage + offset, before);
           if (!any(softens))
             continue;
@@ -183,13 +182,14 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
 
           const Releasable energy =
               releasable_energy<linear_law>(a, c, state, row, g, offset);
-          V scale = all(1. / c.density);
-          scale *=
+          V volume = all(1. / c.density);
+          volume *=
               gather([&](unsigned int l) { return &a.mass[row.particle(l)]; });
           V modulus = all(1.);
           if (a.modulus)
             modulus = gather(
                 [&](unsigned int l) { return &a.modulus[row.particle(l)]; });
+          // Once for the energy, once for that of the softened stress.
           const V per_damage =
               modulus * modulus * energy.now * s * s /
               (range * r * r * energy_density(c, stress.at(before)));
@@ -198,7 +198,8 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           };
 
           V    D     = before;
-          auto fails = nowhere, going = softens;
+          auto going = softens;
+          auto fails = softens & ~softens; // none yet
           for (unsigned int iteration = 0; iteration < 30; ++iteration)
             {
               constexpr double step = 1e-7;
@@ -220,7 +221,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
                 fails     ? all(1.)
                 : softens ? used + per_damage * (D - before)
                           : used);
-          store(state.released + offset, modulus * scale * energy.mean);
+          store(state.released + offset, modulus * volume * energy.mean);
         }
       return any_softens;
     }
