@@ -123,19 +123,6 @@ namespace
   }
 
 
-  int
-  execute_program(std::vector<std::string> arguments)
-  {
-    arguments.insert(arguments.begin(), MORSEL_PROGRAM);
-    std::vector<char *> pointers;
-    for (std::string &argument : arguments)
-      pointers.push_back(argument.data());
-    pointers.push_back(nullptr);
-    ::execv(MORSEL_PROGRAM, pointers.data());
-    return 127;
-  }
-
-
   Campaign::Campaign(const Settings &settings, const std::string &root)
       : settings(settings)
       , root(root)
@@ -203,13 +190,7 @@ namespace
     Limits                          limits    = settings.limits;
     if (worker.mutant.number % mutants_for_a_long_one != 0)
       limits.patience *= short_share;
-    worker.sandbox->start(
-        [&] {
-          // A study starts its own program's file.
-          return settings.run ? execute_program(arguments)
-                              : call_program(arguments);
-        },
-        limits);
+    worker.sandbox->start([&] { return call_program(arguments); }, limits);
   }
 
 
@@ -333,6 +314,10 @@ namespace
   }
 
 
+  /// In the environment: the process that makes the mutants.
+  const char *const campaign = "MORSEL_MUTANTS_OF";
+
+
   /// What makes a start quick: one rank needs no network and no daemon, and
   /// one thread no pool of them.
   void
@@ -347,12 +332,31 @@ namespace
              {"OPENBLAS_NUM_THREADS", "1"}})
       ::setenv(name.c_str(), value.c_str(), 1);
   }
+
+
+  /// A study starts the program's own file for its runs, in the environment
+  /// with which it began itself. That file is this one: so it begins once more
+  /// with an environment by which its children know what they are.
+  bool
+  is_child_of_a_mutant(char **argv)
+  {
+    const std::string self = std::to_string(::getpid());
+    if (const char *const process = std::getenv(campaign))
+      return process != self;
+    set_environment();
+    ::setenv(campaign, self.c_str(), 1);
+    ::execv("/proc/self/exe", argv);
+    throw std::runtime_error("fuzz_scenes cannot start itself");
+  }
 } // namespace
 
 
 int
 main(int argc, char **argv)
 {
+  if (is_child_of_a_mutant(argv))
+    return morsel_main(argc, argv);
+
   Settings settings;
   CLI::App app("Runs Morsel on mutants of its scenes, meshes and tables.",
                "fuzz_scenes");
@@ -383,7 +387,6 @@ main(int argc, char **argv)
   if (settings.limits.patience < 0.)
     settings.limits.patience = settings.run ? 6. : 0.;
 
-  set_environment();
   try
     {
       return Campaign(settings, MORSEL_SOURCE_DIR).run() == 0 ? 0 : 1;
