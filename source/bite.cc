@@ -20,13 +20,18 @@ namespace Morsel
 
   Bite::Bite(const Scene::Scene &scene,
              const MPI_Comm      communicator,
-             RunLog             &log)
+             RunLog             &log,
+             const Partition    &partition)
       : scene(scene)
       , communicator(communicator)
       , log(log)
   {
-    for (const auto &body : scene.particle_bodies)
-      solids.push_back(std::make_unique<SPH::Solid>(body, scene, communicator));
+    for (unsigned int s = 0; s < scene.particle_bodies.size(); ++s)
+      solids.push_back(std::make_unique<SPH::Solid>(
+          scene.particle_bodies[s],
+          scene,
+          communicator,
+          partition.empty() ? SPH::CellWork() : partition[s]));
     std::vector<std::unique_ptr<FE::ElasticBody>> elastic;
     make_plates(elastic);
     make_pairs();
@@ -373,6 +378,16 @@ namespace Morsel
                     plate.motion.typical_velocity().norm(),
                     plate.deformation.initial_velocity.norm()});
     return system;
+  }
+
+
+  std::vector<const SPH::Solid *>
+  Bite::shared_bodies() const
+  {
+    std::vector<const SPH::Solid *> list;
+    for (const auto &solid : solids)
+      list.push_back(solid.get());
+    return list;
   }
 
 

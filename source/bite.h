@@ -2,6 +2,7 @@
 #define morsel_source_bite_h
 
 #include "guards.h"
+#include "run_state.h"
 
 #include <morsel/contact/plate_contact.h>
 #include <morsel/core/log.h>
@@ -24,7 +25,11 @@ namespace Morsel
   class Bite
   {
   public:
-    Bite(const Scene::Scene &scene, MPI_Comm communicator, RunLog &log);
+    /// @param partition of the particle bodies, see ParticleHost
+    Bite(const Scene::Scene &scene,
+         MPI_Comm            communicator,
+         RunLog             &log,
+         const Partition    &partition = {});
 
     /// Forces, contact and accounts at the present positions.
     void
@@ -118,6 +123,10 @@ namespace Morsel
     {
       return *solids.front();
     }
+
+    /// Those that the ranks share.
+    std::vector<const SPH::Solid *>
+    shared_bodies() const;
 
     const std::vector<std::unique_ptr<SPH::Solid>> &
     get_solids() const

@@ -41,6 +41,16 @@ namespace Morsel
   }
 
 
+  Partition
+  Checkpoints::partition()
+  {
+    Partition result;
+    if (resume)
+      loaded.same(result);
+    return result;
+  }
+
+
   void
   Checkpoints::finish_loading()
   {

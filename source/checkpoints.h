@@ -1,6 +1,8 @@
 #ifndef morsel_source_checkpoints_h
 #define morsel_source_checkpoints_h
 
+#include "run_state.h"
+
 #include <morsel/core/log.h>
 #include <morsel/core/run_options.h>
 #include <morsel/output/checkpoint.h>
@@ -36,6 +38,10 @@ namespace Morsel
     {
       return resume;
     }
+
+    /// That the state of the run which goes on belongs to; before restore().
+    Partition
+    partition();
 
     /// Brings a run that has just been set up to where it was.
     /// @param run with load(StateArchive &), step() and time()
@@ -100,7 +106,7 @@ namespace Morsel
     const MPI_Comm           communicator;
     const bool               several_ranks;
     Output::CheckpointFolder folder;
-    StateArchive             loaded;
+    StateArchive             loaded; ///< what restore() has not taken yet
     std::vector<std::string> complaints;
     RunLog                  *log  = nullptr;
     Wish                     wish = Wish::nothing; ///< of any rank

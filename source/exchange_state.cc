@@ -44,7 +44,11 @@ namespace Morsel
       }
     for (auto &meeting : meetings)
       {
-        std::vector<unsigned long long> nodes(meeting.places.size());
+        // The first rank alone brings them together.
+        const bool first =
+            dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+        std::vector<unsigned long long> nodes(first ? meeting.places.size()
+                                                    : 0);
         std::iota(nodes.begin(), nodes.end(), 0ull);
         state.name_particles(nodes, nodes.size());
         meeting.contact->exchange_state(state);
@@ -99,6 +103,7 @@ namespace Morsel
     history_due.exchange_state(state);
     frame_due.exchange_state(state);
     tooth_cracks.exchange_state(state);
+    rank_load.exchange_state(state);
     state.same(pattern_at_half, deflections, last_sample_time);
     state.same(last_frame_time, deepest, most_inverted, last_kinetic);
     state.same(last_strain);

@@ -10,6 +10,7 @@
 #include <morsel/scene/scene.h>
 #include <morsel/sph/applied_conditions.h>
 #include <morsel/sph/deformable_body.h>
+#include <morsel/sph/solid.h>
 
 #include <memory>
 #include <vector>
@@ -107,6 +108,13 @@ namespace Morsel
     /// evaluate().
     void
     exchange_state(StateArchive &state);
+
+    /// Those that the ranks share: none.
+    std::vector<const SPH::Solid *>
+    shared_bodies() const
+    {
+      return {};
+    }
 
   private:
     const Scene::Scene &scene;

@@ -58,12 +58,14 @@ namespace Morsel
     Checkpoints checkpoints(scene, options, MPI_COMM_SELF);
     RunLog      log("", options.quiet, true);
     TimeLoop<Experiment, ExperimentRecorder> loop(
-        [&] { return std::make_unique<Experiment>(scene, log); },
+        [&](const Partition &) {
+          return std::make_unique<Experiment>(scene, log);
+        },
         [&](Experiment &system) {
           return std::make_unique<ExperimentRecorder>(
               scene, options, system, log);
         },
-        scene.time,
+        {scene.time.retries, scene.ranks.repartition},
         &checkpoints,
         log,
         MPI_COMM_SELF);

@@ -3,6 +3,8 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/suggestions.h>
 
+#include <deal.II/base/mpi.h>
+
 namespace Morsel
 {
   void
@@ -25,6 +27,11 @@ namespace Morsel
                   report.first_time_step,
                   "s",
                   "before the first of these retries");
+    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+      summary.add("repartitions",
+                  report.repartitions,
+                  "1",
+                  "how often particles changed ranks for a better balance");
     summary.add_effect(
         {"step control", report.step_retries > 0, "Time/Retries"});
   }

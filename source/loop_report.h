@@ -12,6 +12,7 @@ namespace Morsel
   {
     bool         interrupted     = false;
     unsigned int step_retries    = 0;
+    unsigned int repartitions    = 0;
     double       first_time_step = 0.; ///< [s]
     std::string failure; ///< the sentence of the guard that stopped it, or none
   };

@@ -1,6 +1,7 @@
 #include "rank_load.h"
 
 #include <morsel/core/mpi_waiting.h>
+#include <morsel/core/state_archive.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -40,6 +41,16 @@ namespace Morsel
     intervals.push_back(interval);
     last        = Clock::now();
     last_in_mpi = time_in_mpi();
+  }
+
+
+  void
+  RankLoad::exchange_state(StateArchive &state)
+  {
+    std::vector<double> of_ranks = busy;
+    state.same(of_ranks, intervals);
+    if (of_ranks.size() == busy.size())
+      busy = of_ranks;
   }
 
 

@@ -2,6 +2,7 @@
 #define morsel_source_rank_load_h
 
 #include <morsel/core/log.h>
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/output/summary.h>
 
 #include <mpi.h>
@@ -22,6 +23,11 @@ namespace Morsel
     /// @param time simulated [s]
     void
     sample(double time);
+
+    /// What has been measured on as many ranks; not the time since the last
+    /// sample.
+    void
+    exchange_state(StateArchive &state);
 
     /// @param time_of_peak simulated [s], which parts the loop in two; or 0
     void

@@ -79,12 +79,14 @@ namespace Morsel
     Checkpoints              checkpoints(scene, options, communicator);
     RunLog                   log("", options.quiet, FirstRank().is_this_rank());
     TimeLoop<Bite, Recorder> loop(
-        [&] { return std::make_unique<Bite>(scene, communicator, log); },
+        [&](const Partition &partition) {
+          return std::make_unique<Bite>(scene, communicator, log, partition);
+        },
         [&](Bite &system) {
           return std::make_unique<Recorder>(
               scene, options, system, log, communicator);
         },
-        scene.time,
+        {scene.time.retries, scene.ranks.repartition},
         &checkpoints,
         log,
         communicator);

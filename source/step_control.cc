@@ -60,7 +60,8 @@ namespace Morsel
         if (state.loads())
           kept->emplace();
         RunState &good = **kept;
-        if (!state.cache(good.system,
+        if (!state.cache(good.partition,
+                         good.system,
                          good.recorder,
                          good.time,
                          good.step,

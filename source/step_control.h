@@ -2,6 +2,7 @@
 #define morsel_source_step_control_h
 
 #include "guards.h"
+#include "run_state.h"
 
 #include <morsel/core/state_archive_fwd.h>
 
@@ -10,16 +11,6 @@
 
 namespace Morsel
 {
-  /// All of a run between two steps, in memory.
-  struct RunState
-  {
-    std::string        system, recorder; ///< as their exchange_state() saves
-    double             time      = 0.;   ///< [s]
-    unsigned long long step      = 0;
-    double             time_step = 0.; ///< [s]
-  };
-
-
   /// Keeps two good states of a run, the last one and one well before, and
   /// decides from which of them and with what step it is to be tried again
   /// when a guard finds bad numbers.

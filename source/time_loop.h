@@ -2,8 +2,9 @@
 #define morsel_source_time_loop_h
 
 #include "checkpoints.h"
-#include "guards.h"
+#include "live_run.h"
 #include "loop_report.h"
+#include "rank_balance.h"
 #include "step_control.h"
 
 #include <morsel/core/errors.h>
@@ -13,54 +14,36 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <functional>
-#include <memory>
 #include <sstream>
 #include <utility>
 
 namespace Morsel
 {
-  /// @param object with exchange_state(StateArchive &)
-  template <typename Object>
-  std::string
-  saved_state(Object &object)
+  struct LoopSettings
   {
-    StateArchive archive;
-    object.exchange_state(archive);
-    return std::move(archive).buffer();
-  }
-
-
-  template <typename Object>
-  void
-  load_state(Object &object, const std::string &saved)
-  {
-    StateArchive archive({saved}, true, true);
-    object.exchange_state(archive);
-  }
+    unsigned int retries;     ///< with half the step, at most
+    bool         repartition; ///< of particles, where that pays
+  };
 
 
   /// The loop over time of a mechanical system (Bite, Experiment) and the
-  /// recorder that follows it, with guards, step control and checkpoints.
-  ///
-  /// States are those between a system's advance() and evaluate(): from there a
-  /// run can go on with another step. They are loaded into a system and a
-  /// recorder that have just been made, as for a run that is resumed.
+  /// recorder that follows it, with guards, step control, checkpoints and a
+  /// look at the balance of the ranks.
   template <typename System, typename Recorder>
   class TimeLoop
   {
   public:
-    using MakeSystem   = std::function<std::unique_ptr<System>()>;
-    using MakeRecorder = std::function<std::unique_ptr<Recorder>(System &)>;
+    using MakeSystem   = typename LiveRun<System, Recorder>::MakeSystem;
+    using MakeRecorder = typename LiveRun<System, Recorder>::MakeRecorder;
 
-    /// @param make_recorder is called when the system has been evaluated once
+    /// @param make_system,make_recorder see LiveRun
     /// @param checkpoints or null for none
-    TimeLoop(MakeSystem                   make_system,
-             MakeRecorder                 make_recorder,
-             const Scene::TimeParameters &time,
-             Checkpoints                 *checkpoints,
-             RunLog                      &log,
-             MPI_Comm                     communicator);
+    TimeLoop(MakeSystem          make_system,
+             MakeRecorder        make_recorder,
+             const LoopSettings &settings,
+             Checkpoints        *checkpoints,
+             RunLog             &log,
+             MPI_Comm            communicator);
 
     /// Until the recorder says that the run is finished, SIGINT or SIGTERM
     /// arrive, or a guard stops it: then the system is in its last good state
@@ -76,26 +59,26 @@ namespace Morsel
     unsigned long long
     step() const
     {
-      return system->step();
+      return live.system->step();
     }
 
     double
     time() const
     {
-      return system->time();
+      return live.system->time();
     }
     ///@}
 
     System &
     get_system()
     {
-      return *system;
+      return *live.system;
     }
 
     Recorder &
     get_recorder()
     {
-      return *recorder;
+      return *live.recorder;
     }
 
   private:
@@ -130,12 +113,6 @@ namespace Morsel
     std::optional<Finding>
     finding_of(const Work &work) const;
 
-    Moment
-    moment() const;
-
-    RunState
-    state();
-
     /// What has to be kept of the loop itself.
     void
     exchange_state(StateArchive &state);
@@ -147,6 +124,10 @@ namespace Morsel
     /// @param time_step to go on with [s]
     void
     go_back(const RunState &good, double time_step);
+
+    /// Other owners for the particles, if that is worth it.
+    void
+    share_out_anew();
 
     /// @return whether the loop goes on
     bool
@@ -163,15 +144,12 @@ namespace Morsel
       unsigned long long since;
     };
 
-    const MakeSystem          make_system;
-    const MakeRecorder        make_recorder;
     Checkpoints *const        checkpoints;
     RunLog                   &log;
     const MPI_Comm            communicator;
-    std::unique_ptr<System>   system;
-    std::unique_ptr<Guards>   guards;
+    LiveRun<System, Recorder> live;
     StepControl               control;
-    std::unique_ptr<Recorder> recorder;
+    RankBalance               balance;
     std::optional<Suspicion>  suspicion;
     unsigned long long        energy_known = 0; ///< step of the last check
     LoopReport                report;
@@ -190,22 +168,24 @@ namespace Morsel
 
 
   template <typename System, typename Recorder>
-  TimeLoop<System, Recorder>::TimeLoop(MakeSystem   make_system,
-                                       MakeRecorder make_recorder,
-                                       const Scene::TimeParameters &time,
-                                       Checkpoints                 *checkpoints,
-                                       RunLog                      &log,
-                                       const MPI_Comm communicator)
-      : make_system(std::move(make_system))
-      , make_recorder(std::move(make_recorder))
-      , checkpoints(checkpoints)
+  TimeLoop<System, Recorder>::TimeLoop(MakeSystem          make_system,
+                                       MakeRecorder        make_recorder,
+                                       const LoopSettings &settings,
+                                       Checkpoints        *checkpoints,
+                                       RunLog             &log,
+                                       const MPI_Comm      communicator)
+      : checkpoints(checkpoints)
       , log(log)
       , communicator(communicator)
-      , system(this->make_system())
-      , guards(std::make_unique<Guards>(system->guarded()))
-      , control(time.retries)
+      , live(std::move(make_system),
+             std::move(make_recorder),
+             checkpoints ? checkpoints->partition() : Partition(),
+             log,
+             communicator)
+      , control(settings.retries)
+      , balance(settings.repartition, communicator)
   {
-    report.first_time_step = system->time_step();
+    report.first_time_step = live.system->time_step();
   }
 
 
@@ -213,27 +193,22 @@ namespace Morsel
   void
   TimeLoop<System, Recorder>::begin()
   {
-    if (const auto finding = guards->check_step(moment()))
-      throw NumericalError(sentence(*finding, moment(), {}));
-    RunState at_first;
-    at_first.system = saved_state(*system);
-    system->evaluate();
-    recorder           = make_recorder(*system);
-    at_first.recorder  = saved_state(*recorder);
-    at_first.time_step = system->time_step();
+    if (const auto finding = live.guards->check_step(live.moment()))
+      throw NumericalError(sentence(*finding, live.moment(), {}));
+    RunState at_first = live.begin();
     if (checkpoints && checkpoints->resumes())
       {
-        const double of_scene = system->time_step();
+        const double of_scene = live.system->time_step();
         checkpoints->restore(*this);
         if (of_scene != report.first_time_step)
           {
             // The scene says another step than before.
             report.first_time_step = of_scene;
             control.forget_tries();
-            system->change_time_step(of_scene);
+            live.system->change_time_step(of_scene);
           }
-        at_first = state();
-        system->evaluate();
+        at_first = live.state();
+        live.system->evaluate();
       }
     if (!control.last_good())
       control.keep(std::move(at_first));
@@ -244,8 +219,7 @@ namespace Morsel
   void
   TimeLoop<System, Recorder>::load(StateArchive &state)
   {
-    system->exchange_state(state);
-    recorder->exchange_state(state);
+    live.load(state);
     exchange_state(state);
   }
 
@@ -255,7 +229,8 @@ namespace Morsel
   TimeLoop<System, Recorder>::exchange_state(StateArchive &state)
   {
     control.exchange_state(state);
-    state.same(report.step_retries, report.first_time_step);
+    state.same(
+        report.step_retries, report.repartitions, report.first_time_step);
   }
 
 
@@ -264,6 +239,8 @@ namespace Morsel
   TimeLoop<System, Recorder>::save(const RunState &good)
   {
     StateArchive archive;
+    Partition    partition = good.partition;
+    archive.same(partition);
     archive.append(good.system);
     archive.append(good.recorder);
     exchange_state(archive);
@@ -282,9 +259,11 @@ namespace Morsel
       {
         if (!finding && !interrupted)
           finding = follow();
-        const bool finished = !finding && recorder->finished();
+        const bool finished = !finding && live.recorder->finished();
         if (!finding && !finished && !interrupted)
-          log.progress(recorder->progress(), system->time(), system->step());
+          log.progress(live.recorder->progress(),
+                       live.system->time(),
+                       live.system->step());
         else if (!finding)
           finding = check(true);
         if (!finding && finished && suspicion)
@@ -305,18 +284,19 @@ namespace Morsel
   std::optional<Finding>
   TimeLoop<System, Recorder>::take_step(bool &interrupted)
   {
-    system->advance();
-    const bool keeps = control.wants_state(system->step());
-    const bool saves = checkpoints && checkpoints->is_due(system->step());
+    live.system->advance();
+    share_out_anew();
+    const bool keeps = control.wants_state(live.system->step());
+    const bool saves = checkpoints && checkpoints->is_due(live.system->step());
     if (!keeps && !saves)
       return evaluate_and_check(false);
-    RunState   now     = state();
+    RunState   now     = live.state();
     const auto finding = evaluate_and_check(true);
     if (finding || suspicion)
       return finding;
     // From a state in which noise has begun to grow no step would save the run.
-    if (keeps &&
-        guards->closes_well(system->energies(), recorder->energy_ledger()))
+    if (keeps && live.guards->closes_well(live.system->energies(),
+                                          live.recorder->energy_ledger()))
       control.keep(saves ? RunState(now) : std::move(now));
     if (saves)
       {
@@ -354,7 +334,7 @@ namespace Morsel
   TimeLoop<System, Recorder>::evaluate_and_check(const bool thoroughly)
   {
     return finding_of([&] {
-      system->evaluate();
+      live.system->evaluate();
       return check(thoroughly);
     });
   }
@@ -364,12 +344,12 @@ namespace Morsel
   std::optional<Finding>
   TimeLoop<System, Recorder>::follow()
   {
-    const bool samples = recorder->samples_now();
+    const bool samples = live.recorder->samples_now();
     return finding_of([&]() -> std::optional<Finding> {
-      recorder->follow();
+      live.recorder->follow();
       if (!samples)
         return {};
-      return check_energy(recorder->energy_ledger().last());
+      return check_energy(live.recorder->energy_ledger().last());
     });
   }
 
@@ -380,19 +360,19 @@ namespace Morsel
   {
     const auto timer   = log.section("guards");
     const auto is_time = [&](const unsigned int steps) {
-      return thoroughly || system->step() % steps == 0 ||
-             recorder->records_now();
+      return thoroughly || live.system->step() % steps == 0 ||
+             live.recorder->records_now();
     };
     if (is_time(steps_between_particle_checks))
-      if (const auto finding = guards->check_particles())
+      if (const auto finding = live.guards->check_particles())
         return finding;
     if (is_time(steps_between_contact_checks))
-      if (const auto finding = guards->check_contacts())
+      if (const auto finding = live.guards->check_contacts())
         return finding;
     if (!thoroughly && !suspicion &&
-        system->step() < energy_known + steps_between_energy_checks)
+        live.system->step() < energy_known + steps_between_energy_checks)
       return {};
-    return check_energy(system->energies());
+    return check_energy(live.system->energies());
   }
 
 
@@ -400,42 +380,18 @@ namespace Morsel
   std::optional<Finding>
   TimeLoop<System, Recorder>::check_energy(const Measure::Energies &energies)
   {
-    energy_known = system->step();
+    energy_known = live.system->step();
     const auto finding =
-        guards->check_energy(energies, recorder->energy_ledger());
+        live.guards->check_energy(energies, live.recorder->energy_ledger());
     if (!finding)
       suspicion.reset();
     if (!finding || finding->kind != Finding::Kind::energy)
       return finding;
     if (!suspicion)
-      suspicion = Suspicion{*finding, system->step()};
-    if (system->step() < suspicion->since + steps_of_suspicion)
+      suspicion = Suspicion{*finding, live.system->step()};
+    if (live.system->step() < suspicion->since + steps_of_suspicion)
       return {};
     return finding;
-  }
-
-
-  template <typename System, typename Recorder>
-  Moment
-  TimeLoop<System, Recorder>::moment() const
-  {
-    return {system->time(),
-            system->step(),
-            system->time_step(),
-            system->safe_time_step()};
-  }
-
-
-  template <typename System, typename Recorder>
-  RunState
-  TimeLoop<System, Recorder>::state()
-  {
-    const auto timer = log.section("good states");
-    return {saved_state(*system),
-            saved_state(*recorder),
-            system->time(),
-            system->step(),
-            system->time_step()};
   }
 
 
@@ -444,18 +400,24 @@ namespace Morsel
   TimeLoop<System, Recorder>::go_back(const RunState &good,
                                       const double    time_step)
   {
-    recorder.reset();
-    guards.reset();
-    system = make_system();
-    guards = std::make_unique<Guards>(system->guarded());
-    system->evaluate();
-    recorder = make_recorder(*system);
-    load_state(*system, good.system);
-    load_state(*recorder, good.recorder);
-    energy_known = system->step();
+    live.go_back(good, time_step);
+    energy_known = good.step;
     suspicion.reset();
-    if (time_step != system->time_step())
-      system->change_time_step(time_step);
+  }
+
+
+  template <typename System, typename Recorder>
+  void
+  TimeLoop<System, Recorder>::share_out_anew()
+  {
+    const auto better = balance.better_partition(live.system->shared_bodies(),
+                                                 live.system->step());
+    if (!better)
+      return;
+    live.move_to(*better);
+    ++report.repartitions;
+    log << "Particles changed ranks at time " << live.system->time()
+        << " s, step " << live.system->step() << ".\n";
   }
 
 
@@ -463,7 +425,7 @@ namespace Morsel
   bool
   TimeLoop<System, Recorder>::retreat(const Finding &finding)
   {
-    const Moment          bad  = moment();
+    const Moment          bad  = live.moment();
     const RunState *const good = control.retry(finding, bad);
     log.end_progress();
     if (good)
@@ -504,7 +466,7 @@ namespace Morsel
         {
           text << ", which could not be written";
         }
-    system->evaluate();
+    live.system->evaluate();
     return text.str();
   }
 } // namespace Morsel

@@ -23,7 +23,7 @@ namespace Morsel::Output
     namespace MPI = dealii::Utilities::MPI;
 
     /// Of the layout of the state; a new one where classes change theirs.
-    constexpr int format = 4;
+    constexpr int format = 5;
 
     const std::string list_ending = ".json";
 
@@ -103,8 +103,12 @@ namespace Morsel::Output
     bool
     may_differ(const std::string &line)
     {
-      for (const char *entry :
-           {"Checkpoint", "Time step", "CFL factor", "Retries", "End time"})
+      for (const char *entry : {"Checkpoint",
+                                "Time step",
+                                "CFL factor",
+                                "Retries",
+                                "End time",
+                                "Repartition"})
         if (trimmed(line).rfind(std::string("set ") + entry, 0) == 0)
           return true;
       return false;
@@ -231,7 +235,7 @@ namespace Morsel::Output
     const bool               same  = parts.size() == n;
     std::vector<std::string> contents;
     for (unsigned int r = 0; r < parts.size(); ++r)
-      if (!same || r == rank)
+      if (r % n == rank)
         {
           const std::string name = parts[r]["file"];
           try
@@ -248,7 +252,8 @@ namespace Morsel::Output
             throw FileError("cannot be used: its part '" + name +
                             "' is damaged (checksum)");
         }
-    return StateArchive(std::move(contents), same, rank == 0);
+    return same ? StateArchive(std::move(contents.front()))
+                : StateArchive(std::move(contents), communicator);
   }
 
 

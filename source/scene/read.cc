@@ -142,6 +142,7 @@ namespace Morsel::Scene
       section("Stop", scene.stop);
       section("Output", scene.output);
       section("Measures", scene.measures);
+      section("Ranks", scene.ranks);
       if (with_calibration)
         section("Calibration", calibration);
     }

@@ -243,6 +243,17 @@ namespace Morsel::Scene
 
 
   void
+  RankParameters::declare(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter("Repartition",
+                      repartition,
+                      "With mpirun: whether particles change ranks as the food "
+                      "breaks and broken food takes more time, where that "
+                      "pays.");
+  }
+
+
+  void
   StopParameters::declare(dealii::ParameterHandler &prm)
   {
     prm.add_parameter(

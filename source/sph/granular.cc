@@ -10,6 +10,12 @@ namespace Morsel::SPH
 {
   namespace
   {
+    /// What a row takes for each of its pairs in a group's slots, and for one
+    /// of live material, in hundredths of a bonded particle's work (measured,
+    /// doc/performance.md).
+    constexpr unsigned int work_of_slot = 19, work_of_live_pair = 8;
+
+
     GrainConstants
     constants_of_loops(const Particles             &particles,
                        const Kernel                &kernel,
@@ -369,6 +375,25 @@ namespace Morsel::SPH
       if (particles.failed[i])
         sum += energy[i];
     return sum;
+  }
+
+
+  void
+  Granular::add_work(std::vector<unsigned int> &of_particles) const
+  {
+    for (const Block &block : blocks)
+      {
+        for (unsigned int r = 0; r < block.n_rows; ++r)
+          {
+            const unsigned int g = r / group_size;
+            of_particles[members[block.row[r]]] +=
+                work_of_slot * (block.slot_begin[g + 1] - block.slot_begin[g]);
+          }
+        for (unsigned int m = block.first; m < block.last; ++m)
+          of_particles[members[m]] +=
+              work_of_live_pair * (block.live_start[m - block.first + 1] -
+                                   block.live_start[m - block.first]);
+      }
   }
 
 

@@ -41,9 +41,11 @@ namespace Morsel::SPH
                                   const Point<dim> &lower,
                                   const Point<dim> &upper,
                                   const double      support,
-                                  const double      spacing)
+                                  const double      spacing,
+                                  CellWork          work)
       : mpi_communicator(communicator)
       , support(support)
+      , given_work(std::move(work))
       , mesh(std::make_unique<Mesh>(communicator))
       , particle_handler(std::make_unique<Handler>())
   {
@@ -115,7 +117,12 @@ namespace Morsel::SPH
                    cell_of.begin(),
                    [this](const Point<dim> &x) { return grid.cell_of(x); });
     const Bins bins(cell_of, grid.n_cells());
-    balance(bins.start);
+    CellWork   counts(grid.n_cells());
+    std::adjacent_difference(
+        bins.start.begin() + 1, bins.start.end(), counts.begin());
+    AssertThrow(given_work.empty() || given_work.size() == counts.size(),
+                dealii::ExcDimensionMismatch(given_work.size(), counts.size()));
+    balance(given_work.empty() ? counts : given_work);
 
     // The mapping matters: with MappingQ1 the handler's own search loses
     // particles that lie on faces, and says so only by this signal.
@@ -156,33 +163,32 @@ namespace Morsel::SPH
 
   template <int dim>
   void
-  ParticleHost<dim>::balance(const std::vector<unsigned int> &start)
+  ParticleHost<dim>::balance(const CellWork &work_of_cells)
   {
     if (dealii::Utilities::MPI::n_mpi_processes(mpi_communicator) == 1)
       return;
-    const auto count = [&](const auto &cell) {
-      const unsigned int number = grid.cell_of(cell->center());
-      return start[number + 1] - start[number];
+    const auto work_of = [&](const auto &cell) {
+      return work_of_cells[grid.cell_of(cell->center())];
     };
 
-    unsigned int mine = 0;
+    double mine = 0.;
     for (const auto &cell : mesh->active_cell_iterators())
       if (cell->is_locally_owned())
-        mine += count(cell);
+        mine += work_of(cell);
 
     // As many cells for every rank, as the mesh comes, does for a filled
     // rectangle, and to repartition takes as long as making the mesh.
     const double fair =
-        double(start.back()) /
+        std::accumulate(work_of_cells.begin(), work_of_cells.end(), 0.) /
         dealii::Utilities::MPI::n_mpi_processes(mpi_communicator);
     if (maximum(mine) <= 1.03 * fair)
       return;
 
-    // As many particles for every rank, before there are any to move.
+    // As much for every rank, before there are particles to move.
     const auto connection = mesh->signals.weight.connect(
         [&](const typename Mesh::cell_iterator &cell,
             const typename Mesh::CellStatus) -> unsigned int {
-          return count(cell);
+          return work_of(cell);
         });
     mesh->repartition();
     connection.disconnect();
@@ -235,6 +241,20 @@ namespace Morsel::SPH
   {
     dealii::Utilities::MPI::sum(
         ArrayView<const double>(values), mpi_communicator, values);
+  }
+
+
+  template <int dim>
+  CellWork
+  ParticleHost<dim>::work_in_cells(
+      const std::vector<unsigned int> &of_particles) const
+  {
+    AssertDimension(of_particles.size(), owned);
+    CellWork work(grid.n_cells(), 0);
+    for (unsigned int i = 0; i < owned; ++i)
+      work[grid.cell_of(positions[i])] += of_particles[i];
+    dealii::Utilities::MPI::sum(work, mpi_communicator, work);
+    return work;
   }
 
 

@@ -167,6 +167,16 @@ namespace Morsel::SPH
   }
 
 
+  std::vector<unsigned int>
+  Solid::work_of_particles() const
+  {
+    std::vector<unsigned int> work(particles.n_owned, 100);
+    if (granular && granular->active())
+      granular->add_work(work);
+    return work;
+  }
+
+
   ParticleSide
   Solid::contact_side() const
   {

@@ -30,7 +30,8 @@ namespace Morsel::SPH
 
   Solid::Solid(const Scene::ParticleBody &body,
                const Scene::Scene        &scene,
-               const MPI_Comm             communicator)
+               const MPI_Comm             communicator,
+               CellWork                   work)
       : depth(scene.depth)
       , cfl(body.solid.cfl)
       , kernel(kernel_named(body.solid.kernel),
@@ -48,7 +49,8 @@ namespace Morsel::SPH
              body.shape.lower_corner,
              body.shape.upper_corner,
              kernel.support(),
-             body.spacing)
+             body.spacing,
+             std::move(work))
       , viscosity(body.solid.viscosity == "on" ||
                   (body.solid.viscosity == "auto" && body.damage.enabled))
   {

@@ -124,7 +124,7 @@ namespace
     BOOST_TEST((at_end != between));
 
     Run<System, AnyRecorder> run(scene, options);
-    StateArchive             archive({between}, true, true);
+    StateArchive             archive(between);
     run.system.exchange_state(archive);
     run.recorder.exchange_state(archive);
     BOOST_TEST(archive.at_end());
@@ -170,7 +170,7 @@ BOOST_DATA_TEST_CASE(experiments_go_on,
 }
 
 
-BOOST_AUTO_TEST_CASE(archives_take_other_numbers_of_ranks)
+BOOST_AUTO_TEST_CASE(archives_take_other_owners)
 {
   // Two ranks with two particles each.
   const auto save = [](std::vector<unsigned long long> ids,
@@ -186,7 +186,8 @@ BOOST_AUTO_TEST_CASE(archives_take_other_numbers_of_ranks)
     return archive.buffer();
   };
   StateArchive archive(
-      {save({3, 1}, {30., 10.}, 1.), save({0, 2}, {0., 20.}, 2.)}, false, true);
+      {save({3, 1}, {30., 10.}, 1.), save({0, 2}, {0., 20.}, 2.)},
+      MPI_COMM_SELF);
   std::vector<unsigned long long> ids = {0, 1, 2, 3};
   std::vector<double>             values(4), kept = {5.};
   double                          sum = 0., common = 0.;
@@ -212,16 +213,16 @@ BOOST_AUTO_TEST_CASE(foreign_states_are_refused)
   saved.same(number);
   const std::string buffer = saved.buffer();
   {
-    StateArchive       archive({buffer}, true, true);
+    StateArchive       archive(buffer);
     std::vector<float> floats;
     BOOST_CHECK_THROW(archive.same(floats), FileError);
   }
   {
-    StateArchive archive({buffer.substr(0, 12)}, true, true);
+    StateArchive archive(buffer.substr(0, 12));
     BOOST_CHECK_THROW(archive.same(number), FileError);
   }
   {
-    StateArchive archive({buffer}, true, true);
+    StateArchive archive(buffer);
     archive.same(number);
     BOOST_CHECK_THROW(archive.same(number), FileError);
   }

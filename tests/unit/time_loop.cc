@@ -76,6 +76,12 @@ namespace
       return {{}, {}, 0., 100., MPI_COMM_SELF};
     }
 
+    std::vector<const SPH::Solid *>
+    shared_bodies() const
+    {
+      return {};
+    }
+
     Measure::Energies
     energies() const
     {
@@ -170,16 +176,16 @@ namespace
     {
       if (checkpoints)
         checkpoints->begin(log);
-      Scene::TimeParameters time;
-      time.retries = retries;
-      loop         = std::make_unique<TimeLoop<Oscillator, Notes>>(
-          [time_step] { return std::make_unique<Oscillator>(time_step); },
+      loop = std::make_unique<TimeLoop<Oscillator, Notes>>(
+          [time_step](const Partition &) {
+            return std::make_unique<Oscillator>(time_step);
+          },
           [on_follow](Oscillator &system) {
             auto notes       = std::make_unique<Notes>(system);
             notes->on_follow = on_follow;
             return notes;
           },
-          time,
+          LoopSettings{retries, true},
           checkpoints,
           log,
           MPI_COMM_SELF);

@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <mpi.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -26,28 +28,36 @@ namespace Morsel
   /// two cannot differ. What a constructor makes of the scene is no state: a
   /// run that goes on is set up as at first, and loaded then.
   ///
-  /// On the ranks that saved, loading brings everything back bit by bit. On
-  /// another number of ranks each record says by the name it goes by what it
-  /// becomes: same(), sum(), particles(), cache().
+  /// On the ranks that saved, loading brings everything back bit by bit. Where
+  /// the particles belong to other ranks now, each record says by the name it
+  /// goes by what it becomes: same(), sum(), particles(), cache(). Each rank
+  /// then brings some of the parts, and rows travel to where they are wanted:
+  /// no rank sees all of a state.
   class StateArchive
   {
   public:
     /// For saving.
     StateArchive() = default;
 
-    /// For loading.
-    /// @param parts of all ranks that saved, or of this one alone if
-    ///   @p same_ranks
-    StateArchive(std::vector<std::string> parts,
-                 bool                     same_ranks,
-                 bool                     first_rank)
-        : parts(std::move(parts))
+    /// For loading on the ranks that saved.
+    /// @param part of this rank
+    explicit StateArchive(std::string part)
+        : parts{std::move(part)}
+        , cursors(1, 0)
         , loading(true)
-        , same_rank_count(same_ranks)
-        , first_rank(first_rank)
-    {
-      cursors.assign(this->parts.size(), 0);
-    }
+    {}
+
+    /// For loading where particles have other owners than when it was saved;
+    /// loading is collective then.
+    /// @param parts that this rank brings: each of the saved ones is brought by
+    ///   one rank, the first of all by rank 0
+    StateArchive(std::vector<std::string> parts, const MPI_Comm communicator)
+        : parts(std::move(parts))
+        , cursors(this->parts.size(), 0)
+        , loading(true)
+        , redistributes(true)
+        , communicator(communicator)
+    {}
 
     bool
     loads() const
@@ -92,8 +102,11 @@ namespace Morsel
     same(T &...values)
     {
       (exchange(values,
-                [](T &value, std::deque<T> &of_parts) {
-                  value = std::move(of_parts.front());
+                [this](T &value, std::deque<T> &of_parts) {
+                  StateArchive first;
+                  if (is_first_rank())
+                    first.encode(of_parts.front());
+                  decode_from(broadcast(std::move(first.saved)), value);
                 }),
        ...);
     }
@@ -104,11 +117,10 @@ namespace Morsel
     sum(T &...values)
     {
       (exchange(values,
-                [this](T &value, std::deque<T> &of_parts) {
-                  set_to_zero(value, of_parts.front());
+                [](T &value, std::deque<T> &of_parts) {
+                  set_to_zero(value);
                   for (const T &part : of_parts)
-                    if (first_rank)
-                      add(value, part);
+                    add(value, part);
                 }),
        ...);
     }
@@ -121,11 +133,12 @@ namespace Morsel
     cache(T &...values)
     {
       (exchange(values, [](T &, std::deque<T> &) {}), ...);
-      return !loading || same_rank_count;
+      return !loading || !redistributes;
     }
 
     /// Says which particles those of particles() are, up to the next call.
-    /// @param ids of all that the rank knows, the owned ones first.
+    /// @param ids of all that the rank knows, the owned ones first; each is
+    ///   owned by one rank, and there are no gaps.
     void
     name_particles(const std::vector<unsigned long long> &ids,
                    unsigned int                           n_owned);
@@ -139,13 +152,16 @@ namespace Morsel
       (exchange(
            values,
            [this](std::vector<T> &value, std::deque<std::vector<T>> &of_parts) {
-             take_rows(value, of_parts);
+             move_rows(value, of_parts);
            }),
        ...);
     }
 
   private:
     using Row = std::pair<unsigned int, unsigned int>; ///< part, its row
+
+    /// What travels: by rank.
+    using Messages = std::map<unsigned int, std::string>;
 
     /// A record that is but its bytes.
     template <typename T>
@@ -164,6 +180,30 @@ namespace Morsel
 
     [[noreturn]] static void
     fail();
+
+    bool
+    is_first_rank() const;
+
+    /// What the first rank gives.
+    std::string
+    broadcast(std::string bytes) const;
+
+    /// @return what other ranks, and this one, have for this one
+    Messages
+    send(Messages messages) const;
+
+    /// Finds the rows that each rank wants of the parts that this one brings.
+    void
+    find_rows(const std::vector<unsigned long long>             &ids,
+              const std::deque<std::vector<unsigned long long>> &of_parts);
+
+    template <typename T>
+    void
+    decode_from(std::string bytes, T &value)
+    {
+      StateArchive archive(std::move(bytes));
+      archive.decode(0, value);
+    }
 
     template <typename T>
     void
@@ -297,7 +337,7 @@ namespace Morsel
     {
       if (!loading)
         encode(value);
-      else if (same_rank_count)
+      else if (!redistributes)
         decode(0, value);
       else
         {
@@ -310,15 +350,15 @@ namespace Morsel
 
     template <typename T>
     static void
-    set_to_zero(T &value, const T &)
+    set_to_zero(T &value)
     {
       value = T();
     }
     template <typename T>
     static void
-    set_to_zero(std::vector<T> &values, const std::vector<T> &like)
+    set_to_zero(std::vector<T> &values)
     {
-      values.assign(like.size(), T());
+      std::fill(values.begin(), values.end(), T());
     }
 
     template <typename T>
@@ -331,33 +371,52 @@ namespace Morsel
     static void
     add(std::vector<T> &sums, const std::vector<T> &part)
     {
-      if (part.size() != sums.size())
-        fail();
+      sums.resize(std::max(sums.size(), part.size()), T());
       for (std::size_t k = 0; k < sums.size(); ++k)
         sums[k] += part[k];
     }
 
     template <typename T>
     void
-    take_rows(std::vector<T> &value, const std::deque<std::vector<T>> &parts)
+    move_rows(std::vector<T> &value, const std::deque<std::vector<T>> &of_parts)
     {
-      // What is longer is padding.
-      for (std::size_t i = 0; i < std::min(value.size(), rows.size()); ++i)
+      Messages messages;
+      for (const auto &[rank, rows] : rows_for)
         {
-          const Row row = rows[i];
-          if (row.second >= parts[row.first].size())
+          std::vector<T> chosen;
+          for (const Row &row : rows)
+            if (row.second < of_parts[row.first].size())
+              chosen.push_back(of_parts[row.first][row.second]);
+          StateArchive archive;
+          archive.encode(chosen);
+          messages[rank] = std::move(archive.saved);
+        }
+      for (auto &[rank, message] : send(std::move(messages)))
+        {
+          std::vector<T> rows;
+          decode_from(std::move(message), rows);
+          const std::vector<unsigned int> &places = places_from[rank];
+          // A run has none of them where it has none of the values, and what
+          // is longer is padding.
+          if (rows.size() != (value.empty() ? 0 : places.size()))
             fail();
-          value[i] = parts[row.first][row.second];
+          for (std::size_t k = 0; k < rows.size(); ++k)
+            if (places[k] < value.size())
+              value[places[k]] = std::move(rows[k]);
         }
     }
 
     std::string              saved;
     std::vector<std::string> parts;
     std::vector<std::size_t> cursors;
-    bool                     loading         = false;
-    bool                     same_rank_count = true;
-    bool                     first_rank      = true;
-    std::vector<Row>         rows; ///< where this rank's particles stand
+    bool                     loading       = false;
+    bool                     redistributes = false;
+    MPI_Comm                 communicator  = MPI_COMM_SELF;
+
+    /// Rows of the parts that this rank brings, by the rank that wants them.
+    std::map<unsigned int, std::vector<Row>> rows_for;
+    /// Where those from a rank belong.
+    std::map<unsigned int, std::vector<unsigned int>> places_from;
   };
 } // namespace Morsel
 

@@ -188,6 +188,16 @@ namespace Morsel::Scene
   };
 
 
+  /// How particles are shared out among MPI ranks.
+  struct RankParameters
+  {
+    bool repartition = true; ///< as the food breaks
+
+    void
+    declare(dealii::ParameterHandler &prm);
+  };
+
+
   /// Everything that one run is about. Constant once read.
   struct Scene
   {
@@ -209,6 +219,7 @@ namespace Morsel::Scene
     StopParameters                     stop;
     OutputParameters                   output;
     MeasureParameters                  measures;
+    RankParameters                     ranks;
 
     /// The complete parameters as a scene file that reproduces the run, with
     /// the catalogue's values written out: the content of used.prm.

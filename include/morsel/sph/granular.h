@@ -104,6 +104,11 @@ namespace Morsel::SPH
       return ratio[i];
     }
 
+    /// Adds what the unbonded pairs of each particle take in a step.
+    /// @param of_particles in hundredths of what a bonded particle takes
+    void
+    add_work(std::vector<unsigned int> &of_particles) const;
+
     void
     exchange_state(StateArchive &state);
 

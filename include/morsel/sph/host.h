@@ -32,6 +32,12 @@ namespace dealii
 
 namespace Morsel::SPH
 {
+  /// What a step takes in each cell of a body's background mesh, in hundredths
+  /// of what a sound particle takes: by it the cells are shared among the
+  /// ranks. Empty: by the number of particles.
+  using CellWork = std::vector<unsigned int>;
+
+
   /// Where the particles of one body live: deal.II's ParticleHandler on a
   /// background mesh in the reference configuration. It decides which rank
   /// owns a particle, knows ghosts and identities, and leaves the fields to
@@ -57,11 +63,13 @@ namespace Morsel::SPH
     /// @param spacing of the particles [m]; cells are a multiple of half of it
     ///   and stand a quarter of it off the box, so that no particle of a
     ///   lattice in the box lies on a face
+    /// @param work by which the ranks share the cells
     ParticleHost(MPI_Comm                  communicator,
                  const dealii::Point<dim> &lower,
                  const dealii::Point<dim> &upper,
                  double                    support,
-                 double                    spacing);
+                 double                    spacing,
+                 CellWork                  work = {});
 
     ~ParticleHost();
 
@@ -204,6 +212,11 @@ namespace Morsel::SPH
     sum(const dealii::ArrayView<double> &values) const;
     ///@}
 
+    /// The work in each cell, the same on all ranks; collective.
+    /// @param of_particles what the owned ones take, in its units
+    CellWork
+    work_in_cells(const std::vector<unsigned int> &of_particles) const;
+
     /// Copies the owned entries of an array of displacements [m] into the
     /// handler's properties, for output and checkpoints: not for every step.
     void
@@ -230,7 +243,7 @@ namespace Morsel::SPH
     struct Found;
 
     void
-    balance(const std::vector<unsigned int> &start);
+    balance(const CellWork &work_of_cells);
 
     void
     number();
@@ -248,6 +261,7 @@ namespace Morsel::SPH
     MPI_Comm            mpi_communicator;
     double              support;
     BackgroundGrid<dim> grid;
+    CellWork            given_work;
 
     std::unique_ptr<Mesh>    mesh;
     std::unique_ptr<Handler> particle_handler;

@@ -28,12 +28,14 @@ namespace Morsel::SPH
   class Solid final : public DeformableBody
   {
   public:
-    /// Fills the body's shape on the ranks of @p communicator. Particles that
-    /// do not see each other past the body's cracks have no bond.
+    /// Fills the body's shape on the ranks of @p communicator, which share it
+    /// by @p work, see ParticleHost. Particles that do not see each other past
+    /// the body's cracks have no bond.
     /// @throws InputError for effects that one rank alone can simulate.
     Solid(const Scene::ParticleBody &body,
           const Scene::Scene        &scene,
-          MPI_Comm                   communicator);
+          MPI_Comm                   communicator,
+          CellWork                   work = {});
 
     /// The body's CFL factor times the largest stable step [s], with a
     /// contact of @p contact_stiffness [N/m] per particle. Collective.
@@ -155,6 +157,11 @@ namespace Morsel::SPH
     {
       return host;
     }
+
+    /// What a step takes for each of the owned particles, as modelled, in
+    /// hundredths of a sound one's.
+    std::vector<unsigned int>
+    work_of_particles() const;
 
     bool
     has_viscosity() const
