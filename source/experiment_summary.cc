@@ -119,12 +119,11 @@ namespace Morsel
     for (unsigned int k = 0; k < observed.size(); ++k)
       {
         const Scene::Observer &o    = scene.observers[k];
-        const auto            &body = *experiment.bodies()[observed[k].body];
         const std::string      name = "_" + underscored(o.name);
         add_observation(summary,
                         o,
-                        observed[k].probe.displacement(body.get_particles()),
-                        observed[k].probe.stress(body));
+                        observed[k].probe.displacement(),
+                        observed[k].probe.stress());
         if (o.frequency == "none")
           continue;
         summary.add("frequency" + name,
@@ -183,8 +182,8 @@ namespace Morsel
         // These know neighbours by their place in the lattice.
         if (body.is_even_lattice())
           {
-            const auto noise = Measure::stress_noise(*experiment.bodies()[b],
-                                                     body.particles_across);
+            const auto noise =
+                Measure::stress_noise(*experiment.bodies()[b], body);
             const std::string meaning =
                 "root mean square of a particle's difference from the mean of "
                 "its four neighbours over that of the stress, at the end";
@@ -266,8 +265,9 @@ namespace Morsel
                     experiment.time(),
                     log.wall_time(),
                     log.loop_wall_time()});
+    rank_load.summarise(summary, log, 0.);
     add_provenance(
-        summary, scene.title, scene.name, scene.parameters_hash, MPI_COMM_SELF);
+        summary, scene.title, scene.name, scene.parameters_hash, communicator);
     for (const auto &effect : effects_of_experiment(scene))
       summary.add_effect(effect);
     for (const auto &part : log.wall_times())
