@@ -287,6 +287,68 @@ BOOST_AUTO_TEST_CASE(sides_that_move_linearly_agree_at_corners)
 }
 
 
+BOOST_AUTO_TEST_CASE(ranks_hold_sides_together)
+{
+  // All ranks together do what one alone does, whoever owns the particles of a
+  // trace and where sides meet; also run on two and three ranks.
+  std::vector<Scene::Condition> conditions = {
+      condition("left", "velocity", "2*x - y; x + 3*y"),
+      condition("bottom", "velocity", "2*x - y; x + 3*y"),
+      condition("right", "traction", "500; -200"),
+      condition("everywhere", "damping", "100; 200"),
+      condition("box", "force", "1; 2")};
+  conditions.back().box.lower_corner = {6.1 * spacing, 5.2 * spacing};
+  conditions.back().box.upper_corner = {12.1 * spacing, 9.2 * spacing};
+  const Scene::Scene scene           = block(conditions);
+  const auto        &body            = scene.particle_bodies.front();
+
+  SPH::Solid                          whole(body, scene, MPI_COMM_SELF);
+  SPH::Solid                          part(body, scene, MPI_COMM_WORLD);
+  std::vector<SPH::AppliedConditions> of_whole, of_part;
+  of_whole.emplace_back(scene, body, whole);
+  of_part.emplace_back(scene, body, part);
+  const double dt = 0.5 * whole.stable_time_step(0.);
+  for (unsigned int k = 0; k < 100; ++k)
+    {
+      whole.compute_accelerations(dt);
+      part.compute_accelerations(dt);
+      of_whole.front().apply(whole, k * dt, dt);
+      of_part.front().apply(part, k * dt, dt);
+      whole.advance(dt);
+      part.advance(dt);
+    }
+  const auto &p       = part.get_particles();
+  const auto &motion  = whole.get_particles().motion;
+  double      largest = 0., deviation = 0.;
+  for (unsigned int i = 0; i < p.n_owned; ++i)
+    {
+      const Motion &m = motion[p.id[i]];
+      largest         = std::max({largest, std::abs(m.u_x), std::abs(m.u_y)});
+      deviation       = std::max({deviation,
+                                  std::abs(m.u_x - p.motion[i].u_x),
+                                  std::abs(m.u_y - p.motion[i].u_y)});
+    }
+  BOOST_TEST(deviation <= 1e-12 * largest);
+
+  const auto a = SPH::work_of_conditions(of_whole, MPI_COMM_SELF);
+  const auto b = SPH::work_of_conditions(of_part, MPI_COMM_WORLD);
+  BOOST_TEST(a.of_loads == b.of_loads, boost::test_tools::tolerance(1e-11));
+  BOOST_TEST(a.damped == b.damped, boost::test_tools::tolerance(1e-11));
+  const auto c = SPH::impulses_of_conditions(of_whole, MPI_COMM_SELF);
+  const auto d = SPH::impulses_of_conditions(of_part, MPI_COMM_WORLD);
+  for (unsigned int k = 0; k < c.size(); ++k)
+    BOOST_TEST((c[k] - d[k]).norm() <= 1e-10 * c[k].norm());
+
+  // What contradicts itself is said by all.
+  std::vector<Scene::Condition> bad(conditions.begin(), conditions.begin() + 2);
+  bad[1].value                 = "5; 5";
+  const Scene::Scene     other = block(bad);
+  SPH::AppliedConditions contradiction(
+      other, other.particle_bodies.front(), part);
+  BOOST_CHECK_THROW(contradiction.apply(part, 0., dt), NumericalError);
+}
+
+
 BOOST_AUTO_TEST_CASE(prescribed_rotation_stays_one)
 {
   const Scene::Scene scene =
