@@ -10,7 +10,7 @@ namespace Morsel
     constexpr unsigned int steps_between_looks = 50;
 
     /// What it takes to set a run up, in its steps (doc/performance.md).
-    constexpr double steps_of_a_change = 500.;
+    constexpr double steps_of_a_change = 200.;
 
     /// What a change has to save, relative.
     constexpr double least_gain = 0.02;

@@ -13,7 +13,7 @@ namespace Morsel::SPH
     /// What a row takes for each of its pairs in a group's slots, and for one
     /// of live material, in hundredths of a bonded particle's work (measured,
     /// doc/performance.md).
-    constexpr unsigned int work_of_slot = 19, work_of_live_pair = 8;
+    constexpr unsigned int work_of_slot = 19, work_of_live_pair = 30;
 
 
     GrainConstants
