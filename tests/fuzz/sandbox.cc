@@ -233,6 +233,9 @@ namespace Fuzz
           outcome.changes.push_back("written: " + name);
         else if (old->second != state)
           outcome.changes.push_back("changed: " + name);
+        // A study keeps what its failed runs have said.
+        if (old == before.end() && fs::path(name).extension() == ".messages")
+          outcome.run_errors += read_file(path);
       }
     for (const auto &[path, state] : before)
       if (after.count(path) == 0)
