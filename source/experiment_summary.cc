@@ -268,10 +268,7 @@ namespace Morsel
                     log.loop_wall_time()});
     add_provenance(
         summary, scene.title, scene.name, scene.parameters_hash, MPI_COMM_SELF);
-    for (const auto &effect : effects_of_experiment(scene))
-      summary.add_effect(effect);
-    for (const auto &part : log.wall_times())
-      summary.add_part(part.first, part.second);
+    add_effects(summary, effects_of_experiment(scene), log);
   }
 
 
