@@ -18,7 +18,6 @@
 #include <boost/serialization/vector.hpp>
 
 #include <cmath>
-#include <filesystem>
 #include <sstream>
 #include <utility>
 
@@ -80,10 +79,6 @@ namespace Morsel::Output
     constexpr std::chrono::seconds between_series(1);
 
 
-    /// With less room [B] on the disk, that is why a file cannot be written.
-    constexpr std::uintmax_t smallest_space = 1 << 16;
-
-
     /// The vertices of this rank's cells, in the order of XDMF.
     /// @param first of its points
     template <int dim>
@@ -102,60 +97,64 @@ namespace Morsel::Output
     }
 
 
-    /// Number of the first of this rank's points among those of all.
-    unsigned int
-    first_of_rank(const unsigned int n_points, const MPI_Comm communicator)
+    /// @param n_points of this rank
+    template <int dim>
+    std::vector<HDF5File::Table>
+    tables_of(const std::size_t n_points, const std::vector<Field> &fields)
     {
-      unsigned int first = 0; // where it is left undefined
-      const int    ierr =
-          MPI_Exscan(&n_points, &first, 1, MPI_UNSIGNED, MPI_SUM, communicator);
-      AssertThrowMPI(ierr);
-      return dealii::Utilities::MPI::this_mpi_process(communicator) == 0
-                 ? 0
-                 : first;
+      using Number = HDF5File::Number;
+      constexpr unsigned int n_vertices =
+          dealii::GeometryInfo<dim>::vertices_per_cell;
+      std::vector<HDF5File::Table> tables = {
+          {"nodes", Number::real, 2, n_points},
+          {"cells", Number::natural, n_vertices, n_points / n_vertices}};
+      for (const auto &field : fields)
+        for (const auto &component : component_names(field))
+          tables.push_back({component,
+                            Number::real,
+                            field.kind == Field::Kind::vector ? 3u : 1u,
+                            n_points});
+      return tables;
     }
 
 
+    /// This rank's rows, in the order of the tables.
     template <int dim>
     void
     write_fields(HDF5File                        &file,
                  const ArrayView<const Point<2>> &points,
-                 const unsigned int               first,
                  const std::vector<Field>        &fields)
     {
-      constexpr unsigned int n_vertices =
-          dealii::GeometryInfo<dim>::vertices_per_cell;
+      unsigned int        table = 0;
       std::vector<double> values;
-      const auto          write = [&](const std::string &name,
-                             const unsigned int columns,
-                             const auto        &value) {
+      const auto write = [&](const unsigned int columns, const auto &value) {
         values.resize(points.size() * columns);
         for (std::size_t p = 0; p < points.size(); ++p)
           for (unsigned int c = 0; c < columns; ++c)
             values[columns * p + c] = value(p, c);
-        file.write(name, values, columns);
+        file.write(table++, values);
       };
 
-      write("nodes", 2, [&](const std::size_t p, const unsigned int c) {
+      write(2, [&](const std::size_t p, const unsigned int c) {
         return points[p][c];
       });
-      file.write("cells", cell_vertices<dim>(first, points.size()), n_vertices);
+      // As many points are before this rank's.
+      const std::uint64_t first = file.first_row(0);
+      file.write(table++, cell_vertices<dim>(first, points.size()));
       for (const auto &field : fields)
         {
           const unsigned int n = field.n_components();
           if (field.kind == Field::Kind::vector)
-            write(
-                field.name, 3, [&](const std::size_t p, const unsigned int c) {
-                  return c < 2 ? field.values[2 * p + c] : 0.;
-                });
+            write(3, [&](const std::size_t p, const unsigned int c) {
+              return c < 2 ? field.values[2 * p + c] : 0.;
+            });
           else
             for (unsigned int k = 0; k < n; ++k)
-              write(component_names(field)[k],
-                    1,
-                    [&](const std::size_t p, const unsigned int) {
-                      return field.values[n * p + k];
-                    });
+              write(1, [&](const std::size_t p, const unsigned int) {
+                return field.values[n * p + k];
+              });
         }
+      file.close();
     }
   } // namespace
 
@@ -175,7 +174,7 @@ namespace Morsel::Output
       , name(name)
       , communicator(communicator)
   {
-    create_folder(folder);
+    run_on_all_ranks(communicator, [&] { create_folder(folder); });
   }
 
 
@@ -212,11 +211,11 @@ namespace Morsel::Output
     const std::string h5_name =
         name + "_" + dealii::Utilities::int_to_string(entries.size(), 6) +
         ".h5";
-    const std::string temporary = folder + "/" + h5_name + ".tmp";
-    HDF5File          file(temporary, communicator);
-    write_fields<dim>(
-        file, points, first_of_rank(points.size(), communicator), fields);
-    publish(file.close(), temporary, h5_name);
+    HDF5File file(folder + "/" + h5_name,
+                  tables_of<dim>(points.size(), fields),
+                  communicator);
+    run_on_all_ranks(communicator,
+                     [&] { write_fields<dim>(file, points, fields); });
 
     dealii::XDMFEntry entry(
         h5_name, h5_name, time, n_points, n_points / n_vertices, dim, 2);
@@ -225,11 +224,16 @@ namespace Morsel::Output
         entry.add_attribute(component,
                             field.kind == Field::Kind::vector ? 3 : 1);
     entries.push_back(entry);
-    if (entries.size() > 1 &&
-        std::chrono::steady_clock::now() < series_written + between_series)
-      series_is_old = true;
-    else
-      write_series();
+    run_on_all_ranks(communicator, [&] {
+      if (rank() != 0)
+        return;
+      file.publish();
+      if (entries.size() > 1 &&
+          std::chrono::steady_clock::now() < series_written + between_series)
+        series_is_old = true;
+      else
+        write_series();
+    });
   }
 
 
@@ -251,36 +255,9 @@ namespace Morsel::Output
     std::istringstream            stream(text);
     boost::archive::text_iarchive archive(stream);
     archive >> entries;
-    write_series();
-  }
-
-
-  template <int dim>
-  void
-  Frames<dim>::publish(const bool         written,
-                       const std::string &temporary,
-                       const std::string &h5_name) const
-  {
-    namespace fs                 = std::filesystem;
-    const std::string final_name = folder + "/" + h5_name;
     run_on_all_ranks(communicator, [&] {
-      if (rank() != 0)
-        return;
-      std::error_code error;
-      if (written)
-        fs::rename(temporary, final_name, error);
-      if (written && !error)
-        return;
-      // HDF5 does not say why.
-      std::error_code      other;
-      const fs::space_info space  = fs::space(folder, other);
-      const std::string    reason = error   ? error.message()
-                                    : other ? other.message()
-                                    : space.available < smallest_space
-                                        ? "No space left on device"
-                                        : "HDF5 failed";
-      fs::remove(temporary, other);
-      throw FileError("Cannot write '" + final_name + "': " + reason + ".");
+      if (rank() == 0)
+        write_series();
     });
   }
 
@@ -289,8 +266,10 @@ namespace Morsel::Output
   void
   Frames<dim>::finish()
   {
-    if (series_is_old)
-      write_series();
+    run_on_all_ranks(communicator, [&] {
+      if (series_is_old)
+        write_series();
+    });
   }
 
 
@@ -300,10 +279,9 @@ namespace Morsel::Output
   {
     series_is_old  = false;
     series_written = std::chrono::steady_clock::now();
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      write_atomically(
-          folder + "/" + name + ".xdmf",
-          xdmf_document(entries, dealii::ReferenceCells::get_hypercube<dim>()));
+    write_atomically(
+        folder + "/" + name + ".xdmf",
+        xdmf_document(entries, dealii::ReferenceCells::get_hypercube<dim>()));
   }
 
 

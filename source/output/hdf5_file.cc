@@ -1,13 +1,23 @@
+#include <morsel/core/errors.h>
+#include <morsel/core/failure.h>
 #include <morsel/output/hdf5_file.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <numeric>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <hdf5.h>
+#include <unistd.h>
 
 namespace Morsel::Output
 {
   namespace
   {
+    namespace fs = std::filesystem;
+
     /// An object of HDF5 that is closed at the end of the scope, if it could be
     /// made.
     class Handle
@@ -39,136 +49,235 @@ namespace Morsel::Output
     };
 
 
-    bool
-    write_table(const hid_t        file,
-                const std::string &name,
-                const void        *values,
-                const hid_t        type,
-                const hsize_t      rows,
-                const hsize_t      columns)
+    /// Keeps HDF5's own messages back for as long as it lives.
+    class Silence
     {
-      const hsize_t sizes[2] = {rows, columns};
+    public:
+      Silence()
+      {
+        H5Eget_auto2(H5E_DEFAULT, &function, &data);
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+      }
+
+      Silence(const Silence &) = delete;
+      Silence &
+      operator=(const Silence &) = delete;
+
+      ~Silence()
+      {
+        H5Eset_auto2(H5E_DEFAULT, function, data);
+      }
+
+    private:
+      H5E_auto2_t function = nullptr;
+      void       *data     = nullptr;
+    };
+
+
+    /// A table whose values are written later, without HDF5: it gets its place
+    /// now and nothing is written there.
+    /// @return where it begins [B], HADDR_UNDEF if it failed
+    haddr_t
+    place_of_new_table(const hid_t            file,
+                       const HDF5File::Table &table,
+                       const hsize_t          rows)
+    {
+      const hsize_t sizes[2] = {rows, table.columns};
       const Handle  space(H5Screate_simple(2, sizes, nullptr), H5Sclose);
-      const Handle  table(H5Dcreate2(file,
-                                    name.c_str(),
-                                    type,
-                                    space,
-                                    H5P_DEFAULT,
-                                    H5P_DEFAULT,
-                                    H5P_DEFAULT),
-                         H5Dclose);
-      return H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0;
+      const Handle  properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+      H5Pset_layout(properties, H5D_CONTIGUOUS);
+      H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
+      H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
+      const Handle dataset(H5Dcreate2(file,
+                                      table.name.c_str(),
+                                      table.number == HDF5File::Number::real
+                                          ? H5T_NATIVE_DOUBLE
+                                          : H5T_NATIVE_UINT,
+                                      space,
+                                      H5P_DEFAULT,
+                                      properties,
+                                      H5P_DEFAULT),
+                           H5Dclose);
+      return dataset < 0 ? HADDR_UNDEF : H5Dget_offset(dataset);
     }
 
 
-    MPI_Datatype
-    mpi_type(const double)
+    std::uint64_t
+    row_size(const HDF5File::Table &table)
     {
-      return MPI_DOUBLE;
+      return table.columns * (table.number == HDF5File::Number::real
+                                  ? sizeof(double)
+                                  : sizeof(unsigned int));
     }
 
 
-    MPI_Datatype
-    mpi_type(const unsigned int)
-    {
-      return MPI_UNSIGNED;
-    }
+    /// With less room [B] on the disk, that is why a file cannot be laid out.
+    constexpr std::uintmax_t smallest_space = 1 << 16;
 
 
-    /// What all ranks have, in their order, on the first one.
-    template <typename Number>
-    std::vector<Number>
-    gathered(const std::vector<Number> &mine, const MPI_Comm communicator)
+    /// HDF5 does not say why it failed.
+    std::string
+    likely_reason(const std::string &folder)
     {
-      const unsigned int n_ranks =
-          dealii::Utilities::MPI::n_mpi_processes(communicator);
-      const int        n_mine = mine.size();
-      std::vector<int> sizes(n_ranks), begins(n_ranks);
-      const int        root = 0;
-      int              ierr = MPI_Gather(
-          &n_mine, 1, MPI_INT, sizes.data(), 1, MPI_INT, root, communicator);
-      AssertThrowMPI(ierr);
-      std::exclusive_scan(sizes.begin(), sizes.end(), begins.begin(), 0);
-      std::vector<Number> all(begins.back() + sizes.back());
-      ierr = MPI_Gatherv(mine.data(),
-                         n_mine,
-                         mpi_type(Number()),
-                         all.data(),
-                         sizes.data(),
-                         begins.data(),
-                         mpi_type(Number()),
-                         root,
-                         communicator);
-      AssertThrowMPI(ierr);
-      return all;
+      std::error_code      error;
+      const fs::space_info space = fs::space(folder, error);
+      if (error)
+        return error.message();
+      if (::access(folder.c_str(), W_OK) != 0)
+        return std::strerror(errno);
+      return space.available < smallest_space ? "No space left on device"
+                                              : "HDF5 failed";
     }
   } // namespace
 
 
-  HDF5File::HDF5File(const std::string &file_name, const MPI_Comm communicator)
-      : communicator(communicator)
+  HDF5File::HDF5File(const std::string &file_name,
+                     std::vector<Table> list,
+                     const MPI_Comm     communicator)
+      : file_name(file_name)
+      , temporary(file_name + ".tmp")
+      , tables(std::move(list))
+      , first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      , first_rows(tables.size(), 0)
+      , begins(tables.size(), 0)
   {
-    H5Eget_auto2(H5E_DEFAULT, &old_function, &old_data);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
-      return;
-    file =
-        H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-    failed = file < 0;
+    std::vector<std::uint64_t> rows, all(tables.size());
+    for (const Table &table : tables)
+      rows.push_back(table.rows);
+    // Leaves what rank 0 has as it is.
+    int ierr = MPI_Exscan(rows.data(),
+                          first_rows.data(),
+                          rows.size(),
+                          MPI_UINT64_T,
+                          MPI_SUM,
+                          communicator);
+    AssertThrowMPI(ierr);
+    ierr = MPI_Reduce(rows.data(),
+                      all.data(),
+                      rows.size(),
+                      MPI_UINT64_T,
+                      MPI_SUM,
+                      0,
+                      communicator);
+    AssertThrowMPI(ierr);
+    run_on_all_ranks(communicator, [&] {
+      if (first_rank)
+        begins = lay_out(all);
+    });
+    ierr =
+        MPI_Bcast(begins.data(), begins.size(), MPI_UINT64_T, 0, communicator);
+    AssertThrowMPI(ierr);
   }
 
 
   HDF5File::~HDF5File()
   {
     if (file >= 0)
-      H5Fclose(file);
-    H5Eset_auto2(H5E_DEFAULT, old_function, old_data);
+      ::close(file);
+    if (first_rank && !published)
+      ::unlink(temporary.c_str());
   }
 
 
-  bool
+  std::vector<std::uint64_t>
+  HDF5File::lay_out(const std::vector<std::uint64_t> &rows_of_all) const
+  {
+    const Silence              silence;
+    std::vector<std::uint64_t> places;
+    const hid_t                h5 =
+        H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    bool good = h5 >= 0;
+    for (unsigned int t = 0; t < tables.size() && good; ++t)
+      {
+        const haddr_t place = place_of_new_table(h5, tables[t], rows_of_all[t]);
+        good                = place != HADDR_UNDEF;
+        places.push_back(place);
+      }
+    // Closed, it has its full length.
+    if (h5 >= 0 && H5Fclose(h5) < 0)
+      good = false;
+    if (good)
+      return places;
+    const std::string reason = likely_reason(fs::path(file_name).parent_path());
+    ::unlink(temporary.c_str());
+    fail(reason);
+  }
+
+
+  void
+  HDF5File::fail(const std::string &reason) const
+  {
+    throw FileError("Cannot write '" + file_name + "': " + reason + ".");
+  }
+
+
+  std::uint64_t
+  HDF5File::first_row(const unsigned int table) const
+  {
+    return first_rows[table];
+  }
+
+
+  void
+  HDF5File::write(const unsigned int table, const std::vector<double> &values)
+  {
+    write_rows(table, values.data(), values.size() * sizeof(double));
+  }
+
+
+  void
+  HDF5File::write(const unsigned int               table,
+                  const std::vector<unsigned int> &values)
+  {
+    write_rows(table, values.data(), values.size() * sizeof(unsigned int));
+  }
+
+
+  void
+  HDF5File::write_rows(const unsigned int  table,
+                       const void         *values,
+                       const std::uint64_t size)
+  {
+    const std::uint64_t bytes = row_size(tables[table]);
+    AssertThrow(size == tables[table].rows * bytes,
+                dealii::ExcMessage("The table '" + tables[table].name +
+                                   "' does not have as many rows as said."));
+    // Ranks without rows have no use for the file.
+    if (size > 0 && file < 0 &&
+        (file = ::open(temporary.c_str(), O_WRONLY | O_CLOEXEC)) < 0)
+      fail(std::strerror(errno));
+    const std::uint64_t begin   = begins[table] + first_rows[table] * bytes;
+    std::uint64_t       written = 0;
+    while (written < size)
+      {
+        const ssize_t n = ::pwrite(file,
+                                   static_cast<const char *>(values) + written,
+                                   size - written,
+                                   begin + written);
+        if (n < 0 && errno != EINTR)
+          fail(std::strerror(errno));
+        if (n > 0)
+          written += n;
+      }
+  }
+
+
+  void
   HDF5File::close()
   {
-    if (file >= 0 && H5Fclose(file) < 0)
-      failed = true;
-    file = -1;
-    return dealii::Utilities::MPI::max(failed ? 1 : 0, communicator) == 0;
+    // Some systems tell of a full disk only now.
+    const int descriptor = file;
+    file                 = -1;
+    if (descriptor >= 0 && ::close(descriptor) != 0)
+      fail(std::strerror(errno));
   }
 
 
   void
-  HDF5File::write(const std::string         &name,
-                  const std::vector<double> &values,
-                  const unsigned int         columns)
+  HDF5File::publish()
   {
-    gather_and_write(name, values, H5T_NATIVE_DOUBLE, columns);
-  }
-
-
-  void
-  HDF5File::write(const std::string               &name,
-                  const std::vector<unsigned int> &values,
-                  const unsigned int               columns)
-  {
-    gather_and_write(name, values, H5T_NATIVE_UINT, columns);
-  }
-
-
-  template <typename Number>
-  void
-  HDF5File::gather_and_write(const std::string         &name,
-                             const std::vector<Number> &values,
-                             const hid_t                type,
-                             const unsigned int         columns)
-  {
-    const auto write = [&](const std::vector<Number> &all) {
-      if (file >= 0 && !failed)
-        failed = !write_table(
-            file, name, all.data(), type, all.size() / columns, columns);
-    };
-    if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
-      write(values);
-    else
-      write(gathered(values, communicator));
+    if (std::rename(temporary.c_str(), file_name.c_str()) != 0)
+      fail(std::strerror(errno));
+    published = true;
   }
 } // namespace Morsel::Output

@@ -81,14 +81,7 @@ namespace Morsel::Output
     rank() const;
 
   private:
-    /// Gives a file that has been written its name, or says why there is
-    /// none. Collective.
-    void
-    publish(bool               written,
-            const std::string &temporary,
-            const std::string &h5_name) const;
-
-    /// The file that ParaView opens.
+    /// The file that ParaView opens: by rank 0.
     void
     write_series();
 
@@ -96,8 +89,8 @@ namespace Morsel::Output
     const std::string                     name;
     const MPI_Comm                        communicator;
     std::vector<dealii::XDMFEntry>        entries;
-    bool                                  series_is_old = false;
-    std::chrono::steady_clock::time_point series_written{}; ///< or never
+    bool                                  series_is_old = false; ///< on rank 0
+    std::chrono::steady_clock::time_point series_written{};      ///< or never
   };
 
 
