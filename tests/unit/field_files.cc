@@ -1,11 +1,12 @@
-// Proves: the files of fields that static particles leave hold what theory says
-// of the solution: volumes, the mean stress that the loads ask for, an open
-// crack, Lame's displacement and stress.
+// Proves: the files of fields that runs leave hold what theory says of the
+// solution: volumes, the mean stress that the loads ask for, an open crack,
+// Lame's displacement and stress, tractions that add up to the plates' forces.
 #include <morsel/core/vtu.h>
 #include <morsel/fracture_run.h>
 #include <morsel/scene/read.h>
 #include <morsel/simulation.h>
 
+#include <deal.II/base/hdf5.h>
 #include <deal.II/base/utilities.h>
 
 #include <boost/test/unit_test.hpp>
@@ -47,6 +48,22 @@ namespace
       std::ifstream in(name + "/" + file, std::ios::binary);
       BOOST_REQUIRE_MESSAGE(in, "there is no file " << file);
       return {std::istreambuf_iterator<char>(in), {}};
+    }
+
+    /// A field of the last frame of a series.
+    dealii::FullMatrix<double>
+    frame(const std::string &series, const std::string &field) const
+    {
+      std::string last;
+      for (const auto &file :
+           std::filesystem::directory_iterator(name + "/solution"))
+        if (file.path().extension() == ".h5" &&
+            file.path().filename().string().rfind(series + "_0", 0) == 0)
+          last = std::max(last, file.path().string());
+      BOOST_REQUIRE_MESSAGE(!last.empty(), "no frames of " << series);
+      return dealii::HDF5::File(last, dealii::HDF5::File::FileAccessMode::open)
+          .open_dataset(field)
+          .read<dealii::FullMatrix<double>>();
     }
 
     double
@@ -205,6 +222,73 @@ BOOST_AUTO_TEST_CASE(a_static_body_of_particles)
       BOOST_TEST((r > 0.999 && r < 2.001));
     }
   BOOST_TEST(line.front() == line[line.size() - 3]);
+}
+
+
+BOOST_AUTO_TEST_CASE(a_stroke_between_elastic_plates)
+{
+  const Folder             folder;
+  std::vector<std::string> overrides = {
+      "Body food/Particles/Particles across=24",
+      "Body food/Damage/Enabled=false",
+      "Time/End time=3e-4"};
+  for (const std::string plate : {"lower", "upper"})
+    overrides.push_back("Body " + plate +
+                        " plate/Material/Young's modulus=239e6");
+  const Scene::Scene scene =
+      Scene::read_scene(gallery + "jaw/peanut_elastic.prm", overrides);
+  RunOptions options;
+  options.output_directory = folder.name;
+  options.quiet            = true;
+  run_simulation(scene, options);
+
+  // As they were, the particles fill the block.
+  const auto  &block = scene.particle_bodies[0].shape;
+  const double half  = 0.5 * scene.particle_bodies[0].spacing;
+  const auto   nodes = folder.frame("food", "nodes");
+  const auto   moved = folder.frame("food", "displacement");
+  BOOST_REQUIRE_EQUAL(nodes.m(), 576u);
+  for (unsigned int d = 0; d < 2; ++d)
+    {
+      double lowest = 1., highest = -1.;
+      for (unsigned int i = 0; i < nodes.m(); ++i)
+        {
+          lowest  = std::min(lowest, nodes(i, d) - moved(i, d));
+          highest = std::max(highest, nodes(i, d) - moved(i, d));
+        }
+      BOOST_TEST(lowest == block.lower_corner[d] + half, tt::tolerance(1e-9));
+      BOOST_TEST(highest == block.upper_corner[d] - half, tt::tolerance(1e-9));
+    }
+
+  for (unsigned int p = 0; p < 2; ++p)
+    {
+      const double force = folder.frame("plates", "force")(4 * p, 1);
+      // Its tractions, linear along each facet, add up to its force.
+      const auto line     = folder.frame("surfaces", "nodes");
+      const auto number   = folder.frame("surfaces", "plate");
+      const auto traction = folder.frame("surfaces", "traction");
+      double     sum      = 0.;
+      for (unsigned int k = 0; k < line.m(); k += 2)
+        if (number(k, 0) == p)
+          sum += 0.5 * (traction(k, 1) + traction(k + 1, 1)) * scene.depth *
+                 std::hypot(line(k + 1, 0) - line(k, 0),
+                            line(k + 1, 1) - line(k, 1));
+      BOOST_TEST(sum == force, tt::tolerance(1e-4));
+      // In equilibrium the mean stress is the force over the width.
+      const auto stress = folder.frame("elastic_plates", "stress_yy");
+      const auto of     = folder.frame("elastic_plates", "plate");
+      double     mean = 0., count = 0.;
+      for (unsigned int k = 0; k < of.m(); ++k)
+        if (of(k, 0) == p)
+          {
+            mean += stress(k, 0);
+            ++count;
+          }
+      BOOST_TEST(mean / count ==
+                     -std::abs(force) /
+                         (scene.depth * scene.plate_bodies[p].shape.extent(0)),
+                 tt::tolerance(1e-4));
+    }
 }
 
 
