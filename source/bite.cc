@@ -290,13 +290,11 @@ namespace Morsel
                                 dealii::ArrayView<double>(contact, 5));
     e.contact             = contact[0];
     e.dissipated_friction = contact[1];
-    e.external_work       = contact[2];
     e.plate_strain        = contact[3];
     e.plate_kinetic       = contact[4];
-    for (const auto &of_body : conditions)
-      for (const auto &condition : of_body.list())
-        (condition->is_damping() ? e.dissipated_damping : e.external_work) +=
-            (condition->is_damping() ? -1. : 1.) * condition->work();
+    const auto work       = SPH::work_of_conditions(conditions, communicator);
+    e.external_work       = contact[2] + work.of_loads;
+    e.dissipated_damping  = work.damped;
     return e;
   }
 
@@ -333,9 +331,9 @@ namespace Morsel
     for (const auto &plate : plates)
       list.push_back(
           dealii::Utilities::MPI::sum(plate.impulse(), communicator));
-    for (const auto &of_body : conditions)
-      for (const auto &condition : of_body.list())
-        list.push_back(SPH::as_tensor(condition->impulse()));
+    for (const auto &impulse :
+         SPH::impulses_of_conditions(conditions, communicator))
+      list.push_back(impulse);
     return list;
   }
 

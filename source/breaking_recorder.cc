@@ -315,7 +315,7 @@ namespace Morsel
                 "1",
                 "mass share of the largest fragment");
     summary.add("inverted_particle_count" + f.suffix,
-                f.solid->inverted_count(),
+                f.solid->get_host().sum(f.solid->inverted_count()),
                 "1",
                 "particles turned inside out at the end: must be 0");
     add_first_failure(summary, f.breakage, f.suffix);

@@ -176,9 +176,11 @@ namespace Morsel
     momentum.exchange_state(state);
     state.same(roughness, sample_times, next_sample, next_frame);
     state.same(last_sample_time, last_frame_time, least_spacing);
-    std::string rows = history->rows();
+    rank_load.exchange_state(state);
+    // One rank alone keeps the history.
+    std::string rows = history ? history->rows() : "";
     state.same(rows);
-    if (state.loads())
+    if (history && state.loads())
       history->restore(rows);
     for (auto &series : frames)
       series->exchange_state(state);

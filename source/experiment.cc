@@ -13,22 +13,46 @@
 
 namespace Morsel
 {
-  Experiment::Experiment(const Scene::Scene &scene, RunLog &log)
+  namespace
+  {
+    void
+    require_one_rank(const Scene::ParticleBody &body,
+                     const MPI_Comm             communicator)
+    {
+      if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+        throw InputError("Body '" + body.name + "' is '" +
+                         body.solid.formulation +
+                         "', which runs on one rank only: start the program "
+                         "without mpirun, or with 'mpirun -np 1', or take "
+                         "'Formulation' = 'total Lagrangian'.");
+    }
+  } // namespace
+
+
+  Experiment::Experiment(const Scene::Scene &scene,
+                         const MPI_Comm      communicator,
+                         RunLog             &log,
+                         const Partition    &partition)
       : scene(scene)
+      , communicator(communicator)
       , log(log)
   {
-    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-      throw InputError("A scene without plates runs on one rank: start the "
-                       "program without mpirun.");
     automatic_step = std::numeric_limits<double>::max();
-    for (const auto &body : scene.particle_bodies)
+    for (unsigned int b = 0; b < scene.particle_bodies.size(); ++b)
       {
+        const auto &body = scene.particle_bodies[b];
         if (body.solid.is_updated())
-          solids.push_back(
-              std::make_unique<SPH::UpdatedLagrangian>(body, scene));
+          {
+            require_one_rank(body, communicator);
+            solids.push_back(
+                std::make_unique<SPH::UpdatedLagrangian>(body, scene));
+          }
         else
-          solids.push_back(
-              std::make_unique<SPH::Solid>(body, scene, MPI_COMM_SELF));
+          solids.push_back(std::make_unique<SPH::Solid>(
+              body,
+              scene,
+              communicator,
+              partition.empty() ? SPH::CellWork() : partition[b]));
         conditions.emplace_back(scene, body, *solids.back());
         automatic_step =
             std::min(automatic_step, solids.back()->stable_time_step(0.));
@@ -68,10 +92,12 @@ namespace Morsel
     {
       const auto timer = log.section("strain and forces");
       for (auto &solid : solids)
-        {
-          solid->compute_accelerations(dt);
-          solid->add_grain_forces(dt);
-        }
+        solid->compute_accelerations(dt);
+    }
+    {
+      const auto timer = log.section("failed food");
+      for (auto &solid : solids)
+        solid->add_grain_forces(dt);
     }
     const auto timer = log.section("supports and loads");
     for (unsigned int k = 0; k < solids.size(); ++k)
@@ -82,14 +108,22 @@ namespace Morsel
   void
   Experiment::advance()
   {
-    const auto   timer = log.section("strain and forces");
-    const double dt    = clock.time_step();
-    for (auto &solid : solids)
-      {
+    const double dt = clock.time_step();
+    {
+      const auto timer = log.section("damage and broken bonds");
+      for (auto &solid : solids)
         solid->grow_damage(dt);
+    }
+    {
+      const auto timer = log.section("strain and forces");
+      for (auto &solid : solids)
         solid->advance(dt);
+    }
+    {
+      const auto timer = log.section("failed food");
+      for (auto &solid : solids)
         solid->advance_grains(dt);
-      }
+    }
     clock.advance();
   }
 
@@ -111,12 +145,9 @@ namespace Morsel
         e.dissipated_granular_friction += s.friction_heat;
         e.dissipated_artificial_stress += s.artificial;
       }
-    for (const auto &of_body : conditions)
-      for (const auto &condition : of_body.list())
-        if (condition->is_damping())
-          e.dissipated_damping -= condition->work();
-        else
-          e.external_work += condition->work();
+    const auto work      = SPH::work_of_conditions(conditions, communicator);
+    e.external_work      = work.of_loads;
+    e.dissipated_damping = work.damped;
     return e;
   }
 
@@ -134,23 +165,14 @@ namespace Morsel
     double sum = 0.;
     for (const auto &solid : solids)
       sum += SPH::half_step_masses_times_speeds(solid->get_particles());
-    return sum;
+    return dealii::Utilities::MPI::sum(sum, communicator);
   }
 
 
   std::vector<dealii::Tensor<1, 2>>
   Experiment::impulses() const
   {
-    std::vector<dealii::Tensor<1, 2>> list;
-    for (const auto &of_body : conditions)
-      for (const auto &condition : of_body.list())
-        {
-          const Vector2 p = condition->impulse();
-          list.emplace_back();
-          list.back()[0] = p.x;
-          list.back()[1] = p.y;
-        }
-    return list;
+    return SPH::impulses_of_conditions(conditions, communicator);
   }
 
 
@@ -160,7 +182,11 @@ namespace Morsel
     for (const auto &of_body : conditions)
       for (unsigned int k = 0; k < of_body.list().size(); ++k)
         if (of_body.numbers()[k] == number)
-          return of_body.list()[k]->force();
+          {
+            const auto f = dealii::Utilities::MPI::sum(
+                SPH::as_tensor(of_body.list()[k]->force()), communicator);
+            return {f[0], f[1]};
+          }
     return {0., 0.};
   }
 
@@ -168,7 +194,7 @@ namespace Morsel
   GuardedSystem
   Experiment::guarded() const
   {
-    return guarded_bodies(scene, solids, MPI_COMM_SELF);
+    return guarded_bodies(scene, solids, communicator);
   }
 
 
@@ -189,6 +215,17 @@ namespace Morsel
     unsigned long long count = 0;
     for (const auto &solid : solids)
       count += solid->get_particles().n_owned;
-    return count;
+    return dealii::Utilities::MPI::sum(count, communicator);
+  }
+
+
+  std::vector<const SPH::Solid *>
+  Experiment::shared_bodies() const
+  {
+    std::vector<const SPH::Solid *> list;
+    for (const auto &solid : solids)
+      if (solid->ranks())
+        list.push_back(dynamic_cast<const SPH::Solid *>(solid.get()));
+    return list;
   }
 } // namespace Morsel

@@ -2,6 +2,7 @@
 #define morsel_source_experiment_h
 
 #include "guards.h"
+#include "run_state.h"
 
 #include <morsel/core/log.h>
 #include <morsel/core/state_archive_fwd.h>
@@ -23,8 +24,12 @@ namespace Morsel
   class Experiment
   {
   public:
-    /// @throws InputError on several ranks.
-    Experiment(const Scene::Scene &scene, RunLog &log);
+    /// @param partition of the particle bodies, see ParticleHost
+    /// @throws InputError for what one rank alone can simulate.
+    Experiment(const Scene::Scene &scene,
+               MPI_Comm            communicator,
+               RunLog             &log,
+               const Partition    &partition = {});
 
     /// Forces and accounts at the present positions.
     void
@@ -72,7 +77,8 @@ namespace Morsel
     GuardedSystem
     guarded() const;
 
-    /// Everything in joules at the last evaluate().
+    /// Everything in joules at the last evaluate(); collective, as all sums
+    /// over particles are.
     Measure::Energies
     energies() const;
 
@@ -109,15 +115,13 @@ namespace Morsel
     void
     exchange_state(StateArchive &state);
 
-    /// Those that the ranks share: none.
+    /// Those that the ranks share.
     std::vector<const SPH::Solid *>
-    shared_bodies() const
-    {
-      return {};
-    }
+    shared_bodies() const;
 
   private:
     const Scene::Scene &scene;
+    const MPI_Comm      communicator;
     RunLog             &log;
 
     std::vector<std::unique_ptr<SPH::DeformableBody>> solids;

@@ -60,14 +60,17 @@ namespace Morsel
   ExperimentRecorder::ExperimentRecorder(const Scene::Scene &scene,
                                          const RunOptions   &options,
                                          const Experiment   &experiment,
-                                         RunLog             &log)
+                                         RunLog             &log,
+                                         const MPI_Comm      communicator)
       : scene(scene)
       , options(options)
       , experiment(experiment)
       , log(log)
+      , communicator(communicator)
       , breaking(scene, experiment)
       , energy(experiment.energies())
       , momentum(experiment.momentum(), experiment.masses_times_speeds())
+      , rank_load(communicator)
   {
     log.begin_loop();
     for (const auto &observer : scene.observers)
@@ -75,23 +78,23 @@ namespace Morsel
         const unsigned int body = experiment.index_of(observer.body);
         observed.push_back(
             {body,
-             Measure::Probe(experiment.bodies()[body]->get_particles(),
-                            observer.point),
+             Measure::Probe(*experiment.bodies()[body], observer.point),
              {}});
       }
     open_gauges();
     std::vector<std::string> tips;
     for (const Gauged &g : gauged)
       tips.insert(tips.end(), g.suffixes.begin(), g.suffixes.end());
-    history = std::make_unique<Output::History>(
-        options.output_directory + "/history.csv",
-        history_columns(scene, tips, breaking.columns()));
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      history = std::make_unique<Output::History>(
+          options.output_directory + "/history.csv",
+          history_columns(scene, tips, breaking.columns()));
     if (scene.output.fields)
       for (const auto &body : scene.particle_bodies)
         frames.push_back(std::make_unique<Output::Frames<0>>(
             options.output_directory + "/solution",
             underscored(body.name),
-            MPI_COMM_SELF));
+            communicator));
     summarise_velocity_gradients();
   }
 
@@ -151,8 +154,7 @@ namespace Morsel
       if (scene.observers[k].frequency != "none")
         {
           Observed     &o = observed[k];
-          const Vector2 u = o.probe.displacement(
-              experiment.bodies()[o.body]->get_particles());
+          const Vector2 u = o.probe.displacement();
           o.passages.add(experiment.time(),
                          scene.observers[k].frequency == "x" ? u.x : u.y);
         }
@@ -194,27 +196,24 @@ namespace Morsel
     breaking.note(e);
     double spacing = 2.;
     for (const auto &body : experiment.bodies())
-      spacing =
-          std::min(spacing, Measure::smallest_spacing(body->get_particles()));
+      spacing = std::min(spacing, Measure::smallest_spacing(*body));
     least_spacing = std::min(least_spacing, spacing);
     sample_times.push_back(experiment.time());
     roughness.emplace_back();
     for (unsigned int b = 0; b < scene.particle_bodies.size(); ++b)
       roughness.back().push_back(
           scene.particle_bodies[b].is_even_lattice()
-              ? Measure::velocity_roughness(
-                    experiment.bodies()[b]->get_particles(),
-                    scene.particle_bodies[b].particles_across)
+              ? Measure::velocity_roughness(*experiment.bodies()[b],
+                                            scene.particle_bodies[b])
               : 0.);
 
     std::vector<double> row = {experiment.time(),
                                static_cast<double>(experiment.step())};
     for (const Observed &o : observed)
       {
-        const auto   &body = *experiment.bodies()[o.body];
-        const Vector2 u    = o.probe.displacement(body.get_particles());
-        const Vector2 v    = o.probe.velocity(body.get_particles());
-        const auto    s    = o.probe.stress(body);
+        const Vector2 u = o.probe.displacement();
+        const Vector2 v = o.probe.velocity();
+        const auto    s = o.probe.stress();
         row.insert(row.end(), {u.x, u.y, v.x, v.y, s.xx, s.yy, s.xy});
       }
     for (unsigned int k = 0; k < scene.conditions.size(); ++k)
@@ -244,7 +243,9 @@ namespace Morsel
                 energy_error,
                 momentum_error,
                 spacing});
-    history->add_row(row);
+    if (history)
+      history->add_row(row);
+    rank_load.sample(experiment.time());
   }
 
 
@@ -320,6 +321,7 @@ namespace Morsel
     summarise_ledgers();
     summarise_run();
     add_loop_report(summary, report);
-    summary.write(options.output_directory + "/summary.json");
+    if (history)
+      summary.write(options.output_directory + "/summary.json");
   }
 } // namespace Morsel

@@ -4,6 +4,7 @@
 #include "breaking_recorder.h"
 #include "experiment.h"
 #include "loop_report.h"
+#include "rank_load.h"
 
 #include <morsel/core/run_options.h>
 #include <morsel/core/state_archive_fwd.h>
@@ -28,7 +29,8 @@ namespace Morsel
     ExperimentRecorder(const Scene::Scene &scene,
                        const RunOptions   &options,
                        const Experiment   &experiment,
-                       RunLog             &log);
+                       RunLog             &log,
+                       MPI_Comm            communicator);
 
     /// Whether follow() is going to take the energies in.
     bool
@@ -117,6 +119,7 @@ namespace Morsel
     const RunOptions   &options;
     const Experiment   &experiment;
     RunLog             &log;
+    const MPI_Comm      communicator;
 
     std::vector<Observed> observed;
     std::vector<Gauged>   gauged;
@@ -127,7 +130,8 @@ namespace Morsel
     Measure::EnergyLedger            energy;
     Measure::MomentumLedger          momentum;
 
-    std::unique_ptr<Output::History>                history;
+    RankLoad                         rank_load;
+    std::unique_ptr<Output::History> history; ///< on the first rank
     std::vector<std::unique_ptr<Output::Frames<0>>> frames;
     Output::Summary                                 summary;
 

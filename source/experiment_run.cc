@@ -9,6 +9,7 @@
 #include "trial_steps.h"
 
 #include <morsel/core/errors.h>
+#include <morsel/core/failure.h>
 #include <morsel/core/suggestions.h>
 #include <morsel/measure/crack_gauge.h>
 
@@ -55,20 +56,22 @@ namespace Morsel
         run_static(scene, options);
         return;
       }
-    Checkpoints checkpoints(scene, options, MPI_COMM_SELF);
-    RunLog      log("", options.quiet, true);
+    const MPI_Comm communicator = MPI_COMM_WORLD;
+    Checkpoints    checkpoints(scene, options, communicator);
+    RunLog         log("", options.quiet, FirstRank().is_this_rank());
     TimeLoop<Experiment, ExperimentRecorder> loop(
-        [&](const Partition &) {
-          return std::make_unique<Experiment>(scene, log);
+        [&](const Partition &partition) {
+          return std::make_unique<Experiment>(
+              scene, communicator, log, partition);
         },
         [&](Experiment &system) {
           return std::make_unique<ExperimentRecorder>(
-              scene, options, system, log);
+              scene, options, system, log, communicator);
         },
         {scene.time.retries, scene.ranks.repartition},
         &checkpoints,
         log,
-        MPI_COMM_SELF);
+        communicator);
     begin_results(scene, options, checkpoints, log);
     Experiment        &experiment = loop.get_system();
     std::ostringstream text;
@@ -76,7 +79,9 @@ namespace Morsel
          << experiment.time_step() << " s"
          << share_of_measured_step(experiment, scene.time.end_time, log)
          << scaled_mass_text(scene) << "; " << options.threads
-         << " threads. Effects:\n"
+         << " threads on "
+         << dealii::Utilities::MPI::n_mpi_processes(communicator)
+         << " rank(s). Effects:\n"
          << Output::effects_as_text(effects_of_experiment(scene));
     log << text.str();
 
@@ -96,7 +101,7 @@ namespace Morsel
     if (scene.time.is_static())
       return predict_static(scene);
     RunLog       log("", true, false);
-    Experiment   experiment(scene, log);
+    Experiment   experiment(scene, MPI_COMM_WORLD, log);
     const double steps =
         std::ceil(scene.time.end_time / experiment.time_step());
     Prediction prediction;

@@ -119,12 +119,11 @@ namespace Morsel
     for (unsigned int k = 0; k < observed.size(); ++k)
       {
         const Scene::Observer &o    = scene.observers[k];
-        const auto            &body = *experiment.bodies()[observed[k].body];
         const std::string      name = "_" + underscored(o.name);
         add_observation(summary,
                         o,
-                        observed[k].probe.displacement(body.get_particles()),
-                        observed[k].probe.stress(body));
+                        observed[k].probe.displacement(),
+                        observed[k].probe.stress());
         if (o.frequency == "none")
           continue;
         summary.add("frequency" + name,
@@ -183,8 +182,8 @@ namespace Morsel
         // These know neighbours by their place in the lattice.
         if (body.is_even_lattice())
           {
-            const auto noise = Measure::stress_noise(*experiment.bodies()[b],
-                                                     body.particles_across);
+            const auto noise =
+                Measure::stress_noise(*experiment.bodies()[b], body);
             const std::string meaning =
                 "root mean square of a particle's difference from the mean of "
                 "its four neighbours over that of the stress, at the end";
@@ -266,8 +265,9 @@ namespace Morsel
                     experiment.time(),
                     log.wall_time(),
                     log.loop_wall_time()});
+    rank_load.summarise(summary, log, 0.);
     add_provenance(
-        summary, scene.title, scene.name, scene.parameters_hash, MPI_COMM_SELF);
+        summary, scene.title, scene.name, scene.parameters_hash, communicator);
     add_effects(summary, effects_of_experiment(scene), log);
   }
 
@@ -275,6 +275,9 @@ namespace Morsel
   std::vector<Output::Effect>
   effects_of_experiment(const Scene::Scene &scene)
   {
+    // Bodies that are worked on together share the time of a part.
+    const bool                  alone  = scene.particle_bodies.size() == 1;
+    const char *const           bonded = "strain and forces";
     std::vector<Output::Effect> effects;
     for (const auto &body : scene.particle_bodies)
       {
@@ -283,28 +286,40 @@ namespace Morsel
         effects.push_back({s.formulation + " solid, normalisation " +
                                body.normalisation() + ", " + s.kernel,
                            true,
-                           section + "Formulation"});
+                           section + "Formulation",
+                           bonded,
+                           alone});
         effects.push_back({"cracks",
                            !body.cracks.paths.empty(),
-                           "Body " + body.name + "/Cracks/Paths"});
+                           "Body " + body.name + "/Cracks/Paths",
+                           bonded});
         effects.push_back({"hourglass control",
                            !s.is_updated() && s.hourglass > 0.,
-                           section + "Hourglass coefficient"});
+                           section + "Hourglass coefficient",
+                           bonded});
         effects.push_back({"artificial viscosity",
                            s.viscosity == "on" ||
                                (s.viscosity == "auto" && body.damage.enabled),
-                           section + "Viscosity"});
+                           section + "Viscosity",
+                           bonded});
         effects.push_back({"artificial stress",
                            s.artificial_stress > 0.,
-                           section + "Artificial stress"});
+                           section + "Artificial stress",
+                           bonded});
         effects.push_back({"damage",
                            body.damage.enabled,
-                           "Body " + body.name + "/Damage/Enabled"});
+                           "Body " + body.name + "/Damage/Enabled",
+                           "damage and broken bonds",
+                           alone});
         effects.push_back(effect_of_grains(body));
       }
+    effects.push_back({"supports and loads",
+                       !scene.conditions.empty(),
+                       "Conditions",
+                       "supports and loads",
+                       true});
     effects.push_back(
-        {"supports and loads", !scene.conditions.empty(), "Conditions"});
-    effects.push_back({"fields", scene.output.fields, "Output/Fields"});
+        {"fields", scene.output.fields, "Output/Fields", "output", true});
     return effects;
   }
 } // namespace Morsel

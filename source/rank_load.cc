@@ -92,14 +92,17 @@ namespace Morsel
                 "1",
                 "busy time of the busiest rank over the mean, from sample to "
                 "sample: what the best balance at any time could save");
-    summary.add("rank_imbalance_before_peak",
-                imbalance(-forever, time_of_peak),
-                "1",
-                "the same until the peak of the force");
-    summary.add("rank_imbalance_after_peak",
-                imbalance(time_of_peak, forever),
-                "1",
-                "the same from then on");
+    if (time_of_peak > 0.)
+      {
+        summary.add("rank_imbalance_before_peak",
+                    imbalance(-forever, time_of_peak),
+                    "1",
+                    "the same until the peak of the force");
+        summary.add("rank_imbalance_after_peak",
+                    imbalance(time_of_peak, forever),
+                    "1",
+                    "the same from then on");
+      }
     log << "Rank                           busy [s]\n";
     for (unsigned int r = 0; r < busy.size(); ++r)
       {

@@ -29,7 +29,8 @@ namespace Morsel
     void
     exchange_state(StateArchive &state);
 
-    /// @param time_of_peak simulated [s], which parts the loop in two; or 0
+    /// @param time_of_peak simulated [s], which parts the loop in two; or 0:
+    /// nothing does
     void
     summarise(Output::Summary &summary, RunLog &log, double time_of_peak) const;
 

@@ -79,7 +79,7 @@ namespace Morsel
         true,
         where + "Kind",
         bonded,
-        true,
+        alone,
         of_study + "small strain: peak force -0.3 %, fragments +4 +- 3 %");
     add("cracks", !body.cracks.paths.empty(), where + "Cracks/Paths", bonded);
     for (const auto &plate : scene.plate_bodies)
@@ -109,12 +109,12 @@ namespace Morsel
         can_fail,
         where + "Damage/Enabled",
         "damage and broken bonds",
-        true);
+        alone);
     add("granular response of failed food",
         can_fail,
         "implied by damage; costs nothing until something has failed",
         "failed food",
-        true);
+        alone);
     effects.push_back(effect_of_grains(body));
     add("contact with plates (" + scene.contact.law + ")",
         !scene.contact_pairs.empty(),

@@ -1,4 +1,5 @@
 #include <morsel/measure/crack_gauge.h>
+#include <morsel/measure/whole_body.h>
 #include <morsel/sph/body_cloud.h>
 #include <morsel/sph/body_cracks.h>
 
@@ -36,10 +37,15 @@ namespace Morsel::Measure
   std::vector<Fracture::TipResult>
   CrackGauge::evaluate() const
   {
+    std::vector<Motion> of_ranks;
+    if (body.ranks())
+      of_ranks = of_whole_body(*body.ranks(), body.get_particles().motion);
+    const std::vector<Motion> &motion =
+        body.ranks() ? of_ranks : body.get_particles().motion;
     SPH::VectorField displacement(cloud.size());
     for (unsigned int i = 0; i < cloud.size(); ++i)
       {
-        const Motion &m = body.get_particles().motion[i];
+        const Motion &m = motion[i];
         displacement[i] = dealii::Tensor<1, 2>({m.u_x, m.u_y});
       }
     SPH::TensorField gradients(cloud.size());

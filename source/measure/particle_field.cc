@@ -1,8 +1,15 @@
 #include <morsel/measure/particle_field.h>
+#include <morsel/sph/host.h>
+#include <morsel/sph/local_numbers.h>
 #include <morsel/sph/neighbours.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace Morsel::Measure
 {
@@ -15,17 +22,106 @@ namespace Morsel::Measure
     {
       return rows + 1. >= support * (1. - 1e-9);
     }
+
+
+    /// Sums of all ranks, in place.
+    void
+    add_ranks(const SPH::DeformableBody &body,
+              double *const              values,
+              const unsigned int         n)
+    {
+      if (body.ranks())
+        body.ranks()->sum(dealii::ArrayView<double>(values, n));
+    }
+
+
+    /// Where the four neighbours of each particle within an even lattice stand.
+    class LatticeNeighbours
+    {
+    public:
+      LatticeNeighbours(const SPH::DeformableBody &body,
+                        const Scene::ParticleBody &shape)
+          : particles(body.get_particles())
+          , nx(shape.particles_across)
+          , ny(shape.particles_high())
+          , alone(!body.ranks())
+      {
+        if (!alone)
+          numbers = SPH::LocalNumbers(particles.id);
+      }
+
+      /// @param f of an owned particle's number and an array of its neighbours'
+      template <typename Function>
+      void
+      for_each_inner(const Function &f) const
+      {
+        for (unsigned int i = 0; i < particles.n_owned; ++i)
+          {
+            const unsigned long long id = particles.id[i];
+            const unsigned int       x = id % nx, y = id / nx;
+            if (x > 0 && x + 1 < nx && y > 0 && y + 1 < ny)
+              f(i,
+                std::array<unsigned int, 4>{{place(id - 1),
+                                             place(id + 1),
+                                             place(id - nx),
+                                             place(id + nx)}});
+          }
+      }
+
+    private:
+      /// Neighbours in the lattice are ghosts at least.
+      unsigned int
+      place(const unsigned long long id) const
+      {
+        return alone ? id : numbers.find(id);
+      }
+
+      const SPH::Particles &particles;
+      const unsigned int    nx, ny;
+      const bool            alone;
+      SPH::LocalNumbers     numbers;
+    };
+
+
+    /// Appends the points of other ranks that are near the box of this one's.
+    void
+    append_near_ones(std::vector<dealii::Point<2>> &points,
+                     const double                   reach,
+                     const SPH::ParticleHost<2>    &ranks)
+    {
+      namespace MPI = dealii::Utilities::MPI;
+      dealii::BoundingBox<2> box; // at a point: the default is one at zero
+      if (!points.empty())
+        {
+          box = dealii::BoundingBox<2>(points);
+          box.extend(reach);
+        }
+      const auto boxes = MPI::all_gather(ranks.communicator(),
+                                         std::make_pair(!points.empty(), box));
+      std::map<unsigned int, std::vector<dealii::Point<2>>> near;
+      for (unsigned int r = 0; r < boxes.size(); ++r)
+        if (boxes[r].first && r != MPI::this_mpi_process(ranks.communicator()))
+          for (const auto &x : points)
+            if (boxes[r].second.point_inside(x))
+              near[r].push_back(x);
+      for (const auto &[rank, from] :
+           MPI::some_to_some(ranks.communicator(), near))
+        points.insert(points.end(), from.begin(), from.end());
+    }
   } // namespace
 
 
   double
-  smallest_spacing(const SPH::Particles &p)
+  smallest_spacing(const SPH::DeformableBody &body)
   {
+    const SPH::Particles         &p     = body.get_particles();
+    constexpr double              reach = 2.;
     std::vector<dealii::Point<2>> points(p.n_owned);
     for (unsigned int i = 0; i < p.n_owned; ++i)
       points[i] = p.position(i);
-    constexpr double reach = 2.;
-    SPH::CellGrid    grid;
+    if (body.ranks())
+      append_near_ones(points, reach * p.spacing, *body.ranks());
+    SPH::CellGrid grid;
     grid.build(points, reach * p.spacing);
     double least = reach * reach * p.spacing * p.spacing;
     for (unsigned int i = 0; i < p.n_owned; ++i)
@@ -33,32 +129,35 @@ namespace Morsel::Measure
         if (j > i)
           least = std::min(least, (points[j] - points[i]).norm_square());
       });
+    if (body.ranks())
+      least = body.ranks()->minimum(least);
     return std::sqrt(least) / p.spacing;
   }
 
 
   Noise
-  stress_noise(const SPH::DeformableBody &body, const unsigned int nx)
+  stress_noise(const SPH::DeformableBody &body,
+               const Scene::ParticleBody &shape)
   {
-    const unsigned int                        n = body.get_particles().n_owned;
-    std::vector<Materials::PlaneStrainStress> s(n);
-    for (unsigned int i = 0; i < n; ++i)
+    const SPH::Particles                     &p = body.get_particles();
+    std::vector<Materials::PlaneStrainStress> s(p.n_local);
+    for (unsigned int i = 0; i < p.n_owned; ++i)
       s[i] = body.stress(i);
+    if (body.ranks())
+      body.ranks()->exchange(s);
+    const LatticeNeighbours lattice(body, shape);
     const auto noise = [&](double Materials::PlaneStrainStress::*component) {
-      double rough = 0., whole = 0.;
-      for (unsigned int i = nx; i + nx < n; ++i)
-        {
-          if (i % nx == 0 || i % nx == nx - 1)
-            continue;
-          const auto  &t   = s[i];
-          const double own = t.*component;
-          const double mean =
-              0.25 * (s[i - 1].*component + s[i + 1].*component +
-                      s[i - nx].*component + s[i + nx].*component);
-          rough += (own - mean) * (own - mean);
-          whole += t.xx * t.xx + t.yy * t.yy + 2. * t.xy * t.xy;
-        }
-      return whole > 0. ? std::sqrt(rough / whole) : 0.;
+      double sums[2] = {0., 0.}; // of the rough part and of the whole
+      lattice.for_each_inner([&](const unsigned int i, const auto &four) {
+        const auto  &t = s[i];
+        const double mean =
+            0.25 * (s[four[0]].*component + s[four[1]].*component +
+                    s[four[2]].*component + s[four[3]].*component);
+        sums[0] += (t.*component - mean) * (t.*component - mean);
+        sums[1] += t.xx * t.xx + t.yy * t.yy + 2. * t.xy * t.xy;
+      });
+      add_ranks(body, sums, 2);
+      return sums[1] > 0. ? std::sqrt(sums[0] / sums[1]) : 0.;
     };
     return {noise(&Materials::PlaneStrainStress::xx),
             noise(&Materials::PlaneStrainStress::yy)};
@@ -70,60 +169,67 @@ namespace Morsel::Measure
                   const Scene::ParticleBody &shape,
                   const double               support)
   {
-    const SPH::Particles &p  = body.get_particles();
-    const unsigned int    nx = shape.particles_across;
-    const unsigned int    ny = shape.particles_high();
-    InteriorStress        result;
+    const SPH::Particles &p    = body.get_particles();
+    const unsigned int    nx   = shape.particles_across;
+    const unsigned int    ny   = shape.particles_high();
     const auto            each = [&](const auto &f) {
       for (unsigned int i = 0; i < p.n_owned; ++i)
         {
-          const unsigned int row = std::min(i / nx, ny - 1 - i / nx);
-          const unsigned int column = std::min(i % nx, nx - 1 - i % nx);
+          const unsigned int x = p.id[i] % nx, y = p.id[i] / nx;
+          const unsigned int row    = std::min(y, ny - 1 - y);
+          const unsigned int column = std::min(x, nx - 1 - x);
           if (has_full_support(std::min(row, column), support / p.spacing))
             f(body.stress(i));
         }
     };
+    double sums[3] = {0., 0., 0.}; // count and means
     each([&](const Materials::PlaneStrainStress &s) {
-      ++result.count;
-      result.mean_xx += s.xx;
-      result.mean_yy += s.yy;
+      sums[0] += 1.;
+      sums[1] += s.xx;
+      sums[2] += s.yy;
     });
+    add_ranks(body, sums, 3);
+    InteriorStress result;
+    result.count = sums[0];
     if (result.count == 0)
       return result;
-    result.mean_xx /= result.count;
-    result.mean_yy /= result.count;
+    result.mean_xx    = sums[1] / result.count;
+    result.mean_yy    = sums[2] / result.count;
+    double squares[2] = {0., 0.};
     each([&](const Materials::PlaneStrainStress &s) {
       const double dx = s.xx - result.mean_xx, dy = s.yy - result.mean_yy;
-      result.deviation_xx += dx * dx / result.count;
-      result.deviation_yy += dy * dy / result.count;
+      squares[0] += dx * dx / result.count;
+      squares[1] += dy * dy / result.count;
     });
-    result.deviation_xx = std::sqrt(result.deviation_xx);
-    result.deviation_yy = std::sqrt(result.deviation_yy);
+    add_ranks(body, squares, 2);
+    result.deviation_xx = std::sqrt(squares[0]);
+    result.deviation_yy = std::sqrt(squares[1]);
     return result;
   }
 
 
   double
-  velocity_roughness(const SPH::Particles &p, const unsigned int nx)
+  velocity_roughness(const SPH::DeformableBody &body,
+                     const Scene::ParticleBody &shape)
   {
-    double       sum = 0.;
-    unsigned int n   = 0;
-    for (unsigned int i = nx; i + nx < p.n_owned; ++i)
-      {
-        if (i % nx == 0 || i % nx == nx - 1)
-          continue;
-        const auto difference = [&](double Motion::*component) {
-          const auto v = [&](const unsigned int j) {
-            return p.motion[j].*component;
-          };
-          return v(i) - 0.25 * (v(i - 1) + v(i + 1) + v(i - nx) + v(i + nx));
+    const auto             &motion = body.get_particles().motion;
+    const LatticeNeighbours lattice(body, shape);
+    double                  sums[2] = {0., 0.}; // of squares, and their number
+    lattice.for_each_inner([&](const unsigned int i, const auto &four) {
+      const auto difference = [&](double Motion::*component) {
+        const auto v = [&](const unsigned int j) {
+          return motion[j].*component;
         };
-        const double x = difference(&Motion::v_x);
-        const double y = difference(&Motion::v_y);
-        sum += x * x + y * y;
-        ++n;
-      }
-    return n > 0 ? std::sqrt(sum / n) : 0.;
+        return v(i) -
+               0.25 * (v(four[0]) + v(four[1]) + v(four[2]) + v(four[3]));
+      };
+      const double x = difference(&Motion::v_x);
+      const double y = difference(&Motion::v_y);
+      sums[0] += x * x + y * y;
+      sums[1] += 1.;
+    });
+    add_ranks(body, sums, 2);
+    return sums[1] > 0. ? std::sqrt(sums[0] / sums[1]) : 0.;
   }
 
 
@@ -140,8 +246,9 @@ namespace Morsel::Measure
     const double          ratio = support / p.spacing;
     for (unsigned int i = 0; i < p.n_owned; ++i)
       {
-        const unsigned int a     = std::min(i % nx, nx - 1 - i % nx);
-        const unsigned int b     = std::min(i / nx, ny - 1 - i / nx);
+        const unsigned int x = p.id[i] % nx, y = p.id[i] / nx;
+        const unsigned int a     = std::min(x, nx - 1 - x);
+        const unsigned int b     = std::min(y, ny - 1 - y);
         const auto [least, most] = std::minmax(a, b);
         const auto   L           = body.velocity_gradient(i);
         const double error =
@@ -155,6 +262,10 @@ namespace Morsel::Measure
         else if (has_full_support(least, ratio))
           errors.interior = std::max(errors.interior, error);
       }
+    if (body.ranks())
+      for (double *const largest :
+           {&errors.interior, &errors.edge, &errors.corner})
+        *largest = body.ranks()->maximum(*largest);
     return errors;
   }
 } // namespace Morsel::Measure

@@ -1,12 +1,27 @@
 #include <morsel/core/kernel.h>
 #include <morsel/measure/probe.h>
+#include <morsel/sph/host.h>
 
 #include <deal.II/base/tensor.h>
 
 namespace Morsel::Measure
 {
-  Probe::Probe(const SPH::Particles &p, const dealii::Point<2> &point)
+  namespace
   {
+    /// Of all ranks, in place.
+    void
+    add_ranks(const SPH::DeformableBody &body, double *values, unsigned int n)
+    {
+      if (body.ranks())
+        body.ranks()->sum(dealii::ArrayView<double>(values, n));
+    }
+  } // namespace
+
+
+  Probe::Probe(const SPH::DeformableBody &body, const dealii::Point<2> &point)
+      : body(&body)
+  {
+    const SPH::Particles &p = body.get_particles();
     // On an edge of a lattice the support must hold three rows.
     const Kernel         kernel(KernelKind::wendland_c2, 1.4 * p.spacing);
     dealii::Tensor<2, 3> moment;
@@ -25,6 +40,9 @@ namespace Morsel::Measure
         weights.push_back({i, w});
         moment += w * outer_product(basis(i), basis(i));
       }
+    if (body.ranks())
+      moment =
+          dealii::Utilities::MPI::sum(moment, body.ranks()->communicator());
     const dealii::Tensor<2, 3> inverse = invert(moment);
     for (Weight &w : weights)
       w.value *= (inverse * basis(w.particle))[0];
@@ -35,48 +53,52 @@ namespace Morsel::Measure
   Vector2
   Probe::sum(const Value &value) const
   {
-    Vector2 s{0., 0.};
+    double s[2] = {0., 0.};
     for (const Weight &w : weights)
       {
         const Vector2 v = value(w.particle);
-        s.x += w.value * v.x;
-        s.y += w.value * v.y;
+        s[0] += w.value * v.x;
+        s[1] += w.value * v.y;
       }
-    return s;
+    add_ranks(*body, s, 2);
+    return {s[0], s[1]};
   }
 
 
   Vector2
-  Probe::displacement(const SPH::Particles &p) const
+  Probe::displacement() const
   {
+    const auto &motion = body->get_particles().motion;
     return sum([&](const unsigned int i) {
-      return Vector2{p.motion[i].u_x, p.motion[i].u_y};
+      return Vector2{motion[i].u_x, motion[i].u_y};
     });
   }
 
 
   Vector2
-  Probe::velocity(const SPH::Particles &p) const
+  Probe::velocity() const
   {
+    const auto &motion = body->get_particles().motion;
     return sum([&](const unsigned int i) {
-      return Vector2{p.motion[i].v_x, p.motion[i].v_y};
+      return Vector2{motion[i].v_x, motion[i].v_y};
     });
   }
 
 
   Materials::PlaneStrainStress
-  Probe::stress(const SPH::DeformableBody &body) const
+  Probe::stress() const
   {
-    Materials::PlaneStrainStress s{0., 0., 0., 0.};
+    double s[4] = {0., 0., 0., 0.};
     for (const Weight &w : weights)
       {
-        const auto t = body.stress(w.particle);
-        s.xx += w.value * t.xx;
-        s.yy += w.value * t.yy;
-        s.xy += w.value * t.xy;
-        s.zz += w.value * t.zz;
+        const auto t = body->stress(w.particle);
+        s[0] += w.value * t.xx;
+        s[1] += w.value * t.yy;
+        s[2] += w.value * t.xy;
+        s[3] += w.value * t.zz;
       }
-    return s;
+    add_ranks(*body, s, 4);
+    return {s[0], s[1], s[2], s[3]};
   }
 
 

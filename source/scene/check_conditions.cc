@@ -5,8 +5,6 @@
 #include <morsel/core/suggestions.h>
 #include <morsel/scene/findings.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 
 namespace Morsel::Scene
@@ -154,16 +152,10 @@ namespace Morsel::Scene
   check_conditions(const Scene &scene, Findings &findings)
   {
     if (!scene.plate_bodies.empty())
-      {
-        if (!scene.conditions.empty() &&
-            dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-          findings.mistake("Conditions",
-                           "supports and loads work on one rank only.");
-        if (!scene.observers.empty())
-          findings.mistake("Observers",
-                           "points are observed in scenes without plates; "
-                           "leave out the rigid bodies, or these.");
-      }
+      if (!scene.observers.empty())
+        findings.mistake("Observers",
+                         "points are observed in scenes without plates; "
+                         "leave out the rigid bodies, or these.");
     for (const Condition &condition : scene.conditions)
       check_condition(condition, scene, findings);
     for (const Observer &observer : scene.observers)

@@ -1,9 +1,10 @@
-#include <morsel/core/errors.h>
+#include <morsel/core/gather.h>
 #include <morsel/core/kernel.h>
 #include <morsel/sph/applied_conditions.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 // Which particles a condition concerns, with what shares and traces.
 namespace Morsel::SPH
@@ -55,6 +56,34 @@ namespace Morsel::SPH
         return sign * (edge - x[axis]) < reach;
       }
     };
+
+    double
+    sum_over_ranks(const DeformableBody &solid, const double part)
+    {
+      return solid.ranks() ? solid.ranks()->sum(part) : part;
+    }
+
+
+    /// Where a particle stands among those across a side, from the edge
+    /// inwards, and along it. Identities are row-major in the lattice.
+    struct LatticePlace
+    {
+      unsigned int depth, along;
+
+      LatticePlace(const Scene::ParticleBody &body,
+                   const Condition::Side      side,
+                   const unsigned long long   id)
+      {
+        const unsigned int nx = body.particles_across;
+        const unsigned int x = id % nx, y = id / nx;
+        const bool         across_x = normal_axis(side) == 0;
+        const unsigned int n        = across_x ? nx : body.particles_high();
+        depth                       = across_x ? x : y;
+        along                       = across_x ? y : x;
+        if (is_upper(side))
+          depth = n - 1 - depth;
+      }
+    };
   } // namespace
 
 
@@ -102,8 +131,11 @@ namespace Morsel::SPH
           if (concerns(p.reference[i]))
             loaded.push_back({i, p.mass[i], {0., 0.}});
         if (condition.kind == "force")
-          for (Loaded &l : loaded)
-            l.share = 1. / loaded.size();
+          {
+            const double count = sum_over_ranks(solid, loaded.size());
+            for (Loaded &l : loaded)
+              l.share = 1. / count;
+          }
         return;
       }
 
@@ -121,6 +153,7 @@ namespace Morsel::SPH
         loaded.push_back({i, share, {0., 0.}});
         sum += share;
       }
+    sum           = sum_over_ranks(solid, sum);
     double length = body.shape.extent(1 - d);
     if (condition.has_box())
       length = std::min(condition.box.upper_corner[1 - d],
@@ -132,63 +165,77 @@ namespace Morsel::SPH
   }
 
 
+  std::vector<AppliedCondition::EdgeParticle>
+  AppliedCondition::edge_particles(const Scene::ParticleBody &body,
+                                   const DeformableBody      &solid) const
+  {
+    const Particles           &p = solid.get_particles();
+    const SideBand             band(condition, body);
+    const std::vector<Vector2> surface = solid.surface_vectors();
+    std::vector<EdgeParticle>  list;
+    for (unsigned int i = 0; i < p.n_owned; ++i)
+      if (LatticePlace(body, condition.side(), p.id[i]).depth < 2 ||
+          band.contains(p.reference[i]))
+        list.push_back({p.id[i],
+                        p.reference[i],
+                        surface[i],
+                        1e-12 * p.volume(i) / p.spacing});
+    return solid.ranks() ? gather(list, solid.ranks()->communicator()) : list;
+  }
+
+
   void
   AppliedCondition::prescribe_particles(const Scene::ParticleBody &body,
                                         const DeformableBody      &solid)
   {
-    const Particles &p    = solid.get_particles();
-    const auto       side = condition.side();
-    if (side == Condition::Side::none)
+    const Particles &p = solid.get_particles();
+    if (condition.side() == Condition::Side::none)
       {
         for (unsigned int i = 0; i < p.n_owned; ++i)
           if (concerns(p.reference[i]))
-            prescribed.push_back({{{i}, {1.}}});
+            traces.push_back({p.id[i], {p.id[i]}, {1.}});
         return;
       }
 
-    // Identities are row-major in the lattice, and the order of memory.
     const SideBand     band(condition, body);
-    const unsigned int d  = band.axis;
-    const unsigned int nx = body.particles_across, ny = body.particles_high();
-    const unsigned int step  = d == 0 ? 1 : nx;
-    const unsigned int along = d == 0 ? ny : nx, across = d == 0 ? nx : ny;
-    const std::vector<Vector2> surface = solid.surface_vectors();
-    for (unsigned int k = 0; k < along; ++k)
+    const auto         particles = edge_particles(body, solid);
+    const unsigned int n_rows =
+        band.axis == 0 ? body.particles_high() : body.particles_across;
+    // By their depths, which need not follow each other.
+    std::vector<std::map<unsigned int, const EdgeParticle *>> rows(n_rows);
+    for (const EdgeParticle &particle : particles)
       {
-        std::vector<unsigned int> row;
-        const unsigned int        base = d == 0 ? k * nx : k;
-        for (unsigned int m = 0; m < across; ++m)
-          {
-            const unsigned int i =
-                base + (is_upper(side) ? across - 1 - m : m) * step;
-            if (m < 2 || band.contains(p.reference[i]))
-              row.push_back(i);
-          }
-        if (concerns(p.reference[row[0]]))
-          prescribed.push_back({trace_at_edge(row, surface, p, band.edge)});
+        const LatticePlace place(body, condition.side(), particle.id);
+        rows[place.along][place.depth] = &particle;
+      }
+    for (unsigned int k = 0; k < n_rows; ++k)
+      {
+        std::vector<const EdgeParticle *> row;
+        for (const auto &at_depth : rows[k])
+          row.push_back(at_depth.second);
+        if (concerns(row[0]->reference))
+          traces.push_back(trace_at_edge(k, row, band.edge));
       }
   }
 
 
-  Trace
-  AppliedCondition::trace_at_edge(const std::vector<unsigned int> &row,
-                                  const std::vector<Vector2>      &surface,
-                                  const Particles                 &p,
-                                  const double                     edge) const
+  WholeTrace
+  AppliedCondition::trace_at_edge(const unsigned int number,
+                                  const std::vector<const EdgeParticle *> &row,
+                                  const double edge) const
   {
     // Weights in proportion to the surface vectors: the reaction then is what
     // a constant stress balances, particle by particle.
     const unsigned int d    = normal_axis(condition.side());
     const double       sign = is_upper(condition.side()) ? 1. : -1.;
-    Trace              trace;
+    WholeTrace         trace{number, {}, {}};
     double             sum = 0.;
-    for (const unsigned int i : row)
+    for (const EdgeParticle *const particle : row)
       {
-        const double w = sign * as_tensor(surface[i])[d];
-        if (trace.particle.size() >= 2 &&
-            std::abs(w) < 1e-12 * p.volume(i) / p.spacing)
+        const double w = sign * as_tensor(particle->surface)[d];
+        if (trace.id.size() >= 2 && std::abs(w) < particle->negligible)
           break;
-        trace.particle.push_back(i);
+        trace.id.push_back(particle->id);
         trace.weight.push_back(w);
         sum += w;
       }
@@ -198,10 +245,10 @@ namespace Morsel::SPH
     for (unsigned int m = 0; m < trace.weight.size(); ++m)
       {
         trace.weight[m] /= sum;
-        place += trace.weight[m] * p.reference[trace.particle[m]][d];
+        place += trace.weight[m] * row[m]->reference[d];
       }
     const double shift =
-        (edge - place) / (p.reference[row[0]][d] - p.reference[row[1]][d]);
+        (edge - place) / (row[0]->reference[d] - row[1]->reference[d]);
     trace.weight[0] += shift;
     trace.weight[1] -= shift;
     return trace;

@@ -191,11 +191,9 @@ namespace Morsel::SPH
   void
   AppliedCondition::exchange_state(StateArchive &state)
   {
-    state.same(total, given, impulse_to_come, done, to_come);
-    for (Loaded &l : loaded)
-      state.same(l.force);
-    for (Prescribed &q : prescribed)
-      state.same(q.target, q.reaction);
+    // Forces are worked out anew before they are asked for.
+    state.sum(done, to_come, given.x, given.y);
+    state.sum(impulse_to_come.x, impulse_to_come.y);
   }
 
 

@@ -104,6 +104,9 @@ namespace Morsel::SPH
   Solid::surface_vectors() const
   {
     // S_i = V_i sum_j (V_j/V_i G_ji - G_ij).
+    std::vector<Symmetric2> shape = particles.shape;
+    if (!host.is_alone())
+      host.exchange(shape);
     std::vector<Vector2> S(particles.n_owned, {0., 0.});
     for (unsigned int i = 0; i < particles.n_owned; ++i)
       for (unsigned int k = bonds.list.start[i]; k < bonds.list.start[i + 1];
@@ -116,8 +119,8 @@ namespace Morsel::SPH
               S[i].y += V * (bonds.back[k].y - bonds.own[k].y);
               continue;
             }
-          const Symmetric2 &B = particles.shape[i];
-          const Symmetric2 &C = particles.shape[bonds.list.index[k]];
+          const Symmetric2 &B = shape[i];
+          const Symmetric2 &C = shape[bonds.list.index[k]];
           const auto [X, Y]   = bonds.offset(particles, i, k);
           const double w      = V * bonds.weight[k];
           S[i].x -= w * ((B.xx + C.xx) * X + (B.xy + C.xy) * Y);

@@ -298,8 +298,7 @@ namespace Morsel::SPH
         material,
         body.material.compressive_strength,
         {body.spacing * body.spacing * depth, body.spacing});
-    const ParticleHost<2> *const ranks = host.is_alone() ? nullptr : &host;
-    fracture                           = std::make_unique<DamageEvolution>(
+    fracture = std::make_unique<DamageEvolution>(
         particles,
         bonds,
         kernel,
@@ -311,7 +310,7 @@ namespace Morsel::SPH
         scene.measures.friend_distance * particles.spacing,
         scene.seed,
         strength_of_grains(body, scene.seed),
-        ranks);
+        ranks());
     granular = std::make_unique<Granular>(
         particles,
         bonds,
@@ -324,6 +323,6 @@ namespace Morsel::SPH
                               depth},
         fracture->exposed_particles(),
         fracture->contact_diameters(),
-        ranks);
+        ranks());
   }
 } // namespace Morsel::SPH

@@ -1,5 +1,6 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/suggestions.h>
+#include <morsel/sph/host.h>
 #include <morsel/sph/velocity_constraints.h>
 
 #include <Eigen/Dense>
@@ -34,31 +35,6 @@ namespace Morsel::SPH
     using Vector = Eigen::VectorXd;
 
 
-    /// The traces that share particles, directly or through others.
-    std::vector<std::vector<unsigned int>>
-    coupled_groups(const std::vector<Prescribed *> &constraints)
-    {
-      std::vector<unsigned int> parent(constraints.size());
-      std::iota(parent.begin(), parent.end(), 0u);
-      const auto root = [&parent](unsigned int k) {
-        while (parent[k] != k)
-          k = parent[k] = parent[parent[k]];
-        return k;
-      };
-      std::map<unsigned int, unsigned int> first_of_particle;
-      for (unsigned int k = 0; k < constraints.size(); ++k)
-        for (const unsigned int i : constraints[k]->trace.particle)
-          parent[root(k)] = root(first_of_particle.emplace(i, k).first->second);
-      std::map<unsigned int, std::vector<unsigned int>> groups;
-      for (unsigned int k = 0; k < constraints.size(); ++k)
-        groups[root(k)].push_back(k);
-      std::vector<std::vector<unsigned int>> result;
-      for (auto &group : groups)
-        result.push_back(std::move(group.second));
-      return result;
-    }
-
-
     /// W of some traces: a row for each, a column for each of their particles.
     struct Weights
     {
@@ -83,31 +59,60 @@ namespace Morsel::SPH
     };
 
 
-    /// By how much each trace misses its target, velocity less target [m/s].
+    /// By how much each trace misses its target, velocity less target, and
+    /// behind that how fast particles are, no less than the fastest [m/s].
     Vector
     find_gaps(const std::vector<Prescribed *> &constraints,
-              double Vector2::*const direction,
-              const Particles       &p,
-              const double           kick,
-              double                &speed)
+              double Vector2::*const       direction,
+              const Particles             &p,
+              const double                 kick,
+              const ParticleHost<2> *const ranks)
     {
-      Vector gaps(constraints.size());
-      for (unsigned int k = 0; k < constraints.size(); ++k)
+      const unsigned int n = constraints.size();
+      Vector             gaps(n + 1);
+      gaps(n) = 0.;
+      for (unsigned int k = 0; k < n; ++k)
         {
-          const Trace &trace = constraints[k]->trace;
-          gaps(k)            = -(constraints[k]->target.*direction);
-          for (unsigned int m = 0; m < trace.particle.size(); ++m)
+          const Prescribed &q = *constraints[k];
+          gaps(k)             = q.counts ? -(q.target.*direction) : 0.;
+          for (unsigned int m = 0; m < q.trace.particle.size(); ++m)
             {
-              const unsigned int i    = trace.particle[m];
+              const unsigned int i    = q.trace.particle[m];
               const double       next = p.half_velocity[i].*direction +
                                   kick * p.acceleration[i].*direction;
-              gaps(k) += trace.weight[m] * next;
-              speed = std::max(speed, std::abs(next));
+              gaps(k) += q.trace.weight[m] * next;
+              gaps(n) = std::max(gaps(n), std::abs(next));
             }
         }
+      if (ranks)
+        ranks->sum(dealii::ArrayView<double>(gaps.data(), gaps.size()));
       return gaps;
     }
   } // namespace
+
+
+  std::vector<std::vector<unsigned int>>
+  coupled_groups(const std::vector<Prescribed *> &constraints)
+  {
+    std::vector<unsigned int> parent(constraints.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    const auto root = [&parent](unsigned int k) {
+      while (parent[k] != k)
+        k = parent[k] = parent[parent[k]];
+      return k;
+    };
+    std::map<unsigned int, unsigned int> first_of_particle;
+    for (unsigned int k = 0; k < constraints.size(); ++k)
+      for (const unsigned int i : constraints[k]->trace.particle)
+        parent[root(k)] = root(first_of_particle.emplace(i, k).first->second);
+    std::map<unsigned int, std::vector<unsigned int>> groups;
+    for (unsigned int k = 0; k < constraints.size(); ++k)
+      groups[root(k)].push_back(k);
+    std::vector<std::vector<unsigned int>> result;
+    for (auto &group : groups)
+      result.push_back(std::move(group.second));
+    return result;
+  }
 
 
   VelocityConstraints::VelocityConstraints(std::vector<Prescribed *>  in_x,
@@ -195,23 +200,26 @@ namespace Morsel::SPH
 
 
   void
-  VelocityConstraints::meet_targets(const Component &component,
-                                    Particles       &p,
-                                    const double     kick)
+  VelocityConstraints::meet_targets(const Component             &component,
+                                    Particles                   &p,
+                                    const double                 kick,
+                                    const ParticleHost<2> *const ranks)
   {
-    double first = 0.;
+    const unsigned int size  = component.constraints.size();
+    double             first = 0.;
     for (unsigned int n = 0; n < most_corrections; ++n)
       {
-        double       speed = 0.;
-        const Vector gaps  = find_gaps(
-            component.constraints, component.direction, p, kick, speed);
+        const Vector found = find_gaps(
+            component.constraints, component.direction, p, kick, ranks);
+        const auto   gaps    = found.head(size);
+        const double speed   = found(size);
         const double largest = gaps.lpNorm<Eigen::Infinity>();
         if (n == 0)
           first = largest;
         if (!(largest > 1e-12 * first + 1e-14 * speed))
           return;
         const Vector reactions = component.inverse * gaps / -kick;
-        for (unsigned int k = 0; k < component.constraints.size(); ++k)
+        for (unsigned int k = 0; k < size; ++k)
           {
             Prescribed  &q     = *component.constraints[k];
             const Trace &trace = q.trace;
@@ -228,15 +236,17 @@ namespace Morsel::SPH
 
 
   void
-  VelocityConstraints::enforce(Particles         &particles,
-                               const double       kick,
-                               const std::string &body) const
+  VelocityConstraints::enforce(Particles                   &particles,
+                               const double                 kick,
+                               const std::string           &body,
+                               const ParticleHost<2> *const ranks) const
   {
     for (const Component &component : components)
       if (!component.constraints.empty())
         {
           check_targets(component, body);
-          meet_targets(component, particles, kick);
+          meet_targets(component, particles, kick, ranks);
         }
   }
+
 } // namespace Morsel::SPH

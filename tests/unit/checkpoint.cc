@@ -66,8 +66,12 @@ namespace
   {
     Run(const Scene::Scene &scene, const RunOptions &options)
         : log("", true, false)
-        , system(scene, log)
-        , recorder((system.evaluate(), scene), options, system, log)
+        , system(scene, MPI_COMM_SELF, log)
+        , recorder((system.evaluate(), scene),
+                   options,
+                   system,
+                   log,
+                   MPI_COMM_SELF)
     {}
 
     RunLog             log;

@@ -32,7 +32,8 @@ namespace Morsel::Measure
       return tips;
     }
 
-    /// K from the present displacements, a result for each tip.
+    /// K from the present displacements, a result for each tip. Collective:
+    /// every rank works on the displacements of the whole body.
     std::vector<Fracture::TipResult>
     evaluate() const;
 

@@ -4,12 +4,13 @@
 #include <morsel/scene/scene.h>
 #include <morsel/sph/deformable_body.h>
 
+/// All of these are collective.
 namespace Morsel::Measure
 {
   /// Smallest distance of two particles now, in spacings [1]; 2 where it is
   /// more than that.
   double
-  smallest_spacing(const SPH::Particles &particles);
+  smallest_spacing(const SPH::DeformableBody &body);
 
 
   /// Roughness of a stress field: root mean square of what a particle differs
@@ -21,7 +22,8 @@ namespace Morsel::Measure
   };
 
   Noise
-  stress_noise(const SPH::DeformableBody &body, unsigned int particles_across);
+  stress_noise(const SPH::DeformableBody &body,
+               const Scene::ParticleBody &shape);
 
 
   /// Mean stress along the axes and its standard deviation over the particles
@@ -43,8 +45,8 @@ namespace Morsel::Measure
   /// Root mean square of what a particle's velocity differs from the mean of
   /// its four neighbours in the lattice [m/s]: smooth motion does not count.
   double
-  velocity_roughness(const SPH::Particles &particles,
-                     unsigned int          particles_across);
+  velocity_roughness(const SPH::DeformableBody &body,
+                     const Scene::ParticleBody &shape);
 
 
   /// Largest error of the velocity gradient's symmetric part [1/s], by where

@@ -14,20 +14,21 @@ namespace Morsel::Measure
   /// A material point of a particle body: values there are those of the
   /// plane fitted to the particles around it in the reference configuration
   /// (weighted least squares), which is exact for linear fields and reaches
-  /// up to the edge.
+  /// up to the edge. Collective.
   class Probe
   {
   public:
-    Probe(const SPH::Particles &particles, const dealii::Point<2> &point);
+    /// The body is kept by reference.
+    Probe(const SPH::DeformableBody &body, const dealii::Point<2> &point);
 
     Vector2
-    displacement(const SPH::Particles &particles) const;
+    displacement() const;
 
     Vector2
-    velocity(const SPH::Particles &particles) const;
+    velocity() const;
 
     Materials::PlaneStrainStress
-    stress(const SPH::DeformableBody &body) const;
+    stress() const;
 
   private:
     struct Weight
@@ -40,7 +41,8 @@ namespace Morsel::Measure
     Vector2
     sum(const Value &value) const;
 
-    std::vector<Weight> weights;
+    const SPH::DeformableBody *body;
+    std::vector<Weight>        weights; ///< of this rank's particles
   };
 
 

@@ -16,11 +16,11 @@ namespace Morsel::Measure
   /// first. Collective; on one rank a copy.
   template <typename Value>
   std::vector<Value>
-  of_whole_body(const SPH::Solid &solid, const std::vector<Value> &values)
+  of_whole_body(const SPH::ParticleHost<2> &host,
+                const std::vector<Value>   &values)
   {
-    const auto        &host = solid.get_host();
-    const unsigned int n    = host.n_owned();
-    const auto         own  = [n](const auto &all) {
+    const unsigned int n   = host.n_owned();
+    const auto         own = [n](const auto &all) {
       return std::vector<typename std::decay_t<decltype(all)>::value_type>(
           all.begin(), all.begin() + n);
     };
@@ -32,6 +32,13 @@ namespace Morsel::Measure
     for (std::size_t k = 0; k < ids.size(); ++k)
       result[ids[k]] = gathered[k];
     return result;
+  }
+
+  template <typename Value>
+  std::vector<Value>
+  of_whole_body(const SPH::Solid &solid, const std::vector<Value> &values)
+  {
+    return of_whole_body(solid.get_host(), values);
   }
 
 

@@ -12,6 +12,10 @@
 
 namespace Morsel::SPH
 {
+  template <int dim>
+  class ParticleHost;
+
+
   /// Energies of one body [J].
   struct SolidEnergies
   {
@@ -93,7 +97,8 @@ namespace Morsel::SPH
     /// Surface vector of each particle in the reference configuration, S_i =
     /// -V_i sum_j V_j (B_i + B_j) grad W_ij [m^2]: a constant stress sigma
     /// makes the force -sigma S_i, so that tractions given out as sigma S_i
-    /// are the ones which a constant stress balances.
+    /// are the ones which a constant stress balances. Of the owned particles;
+    /// collective.
     virtual std::vector<Vector2>
     surface_vectors() const = 0;
 
@@ -110,6 +115,13 @@ namespace Morsel::SPH
 
     virtual const Materials::Elasticity &
     get_material() const = 0;
+
+    /// Where the particles live if several ranks share them, else null.
+    virtual const ParticleHost<2> *
+    ranks() const
+    {
+      return nullptr;
+    }
 
     /// Saves or loads what changes from step to step, between advance() and
     /// the next compute_accelerations().

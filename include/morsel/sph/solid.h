@@ -158,6 +158,12 @@ namespace Morsel::SPH
       return host;
     }
 
+    const ParticleHost<2> *
+    ranks() const override
+    {
+      return host.is_alone() ? nullptr : &host;
+    }
+
     /// What a step takes for each of the owned particles, as modelled, in
     /// hundredths of a bonded one's.
     std::vector<unsigned int>

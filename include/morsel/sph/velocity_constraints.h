@@ -10,7 +10,12 @@
 
 namespace Morsel::SPH
 {
-  /// The velocity of a place as a sum over particles.
+  template <int dim>
+  class ParticleHost;
+
+
+  /// The velocity of a place as a sum over particles; of one that is shared,
+  /// over those of this rank.
   struct Trace
   {
     std::vector<unsigned int> particle;
@@ -23,7 +28,14 @@ namespace Morsel::SPH
   {
     Trace   trace;
     Vector2 target{0., 0.}, reaction{0., 0.}; ///< [m/s], [N]
+    /// On one of the ranks that know it: so that sums have it once.
+    bool counts = true;
   };
+
+
+  /// The traces that share particles, directly or through others.
+  std::vector<std::vector<unsigned int>>
+  coupled_groups(const std::vector<Prescribed *> &constraints);
 
 
   /// All prescribed velocities of a body, which hold together.
@@ -54,9 +66,14 @@ namespace Morsel::SPH
     /// adds what that takes to the reactions.
     /// @param kick by which the velocities are going to advance [s]
     /// @param body to be named
+    /// @param ranks that hold the particles of the traces together, which are
+    ///   the same ones on each; collective then. Else null
     /// @throws NumericalError where targets contradict each other
     void
-    enforce(Particles &particles, double kick, const std::string &body) const;
+    enforce(Particles             &particles,
+            double                 kick,
+            const std::string     &body,
+            const ParticleHost<2> *ranks = nullptr) const;
 
   private:
     /// Traces that nearly depend on each other.
@@ -85,7 +102,10 @@ namespace Morsel::SPH
     check_targets(const Component &component, const std::string &body);
 
     static void
-    meet_targets(const Component &component, Particles &particles, double kick);
+    meet_targets(const Component       &component,
+                 Particles             &particles,
+                 double                 kick,
+                 const ParticleHost<2> *ranks);
 
     std::vector<Component> components;
   };
