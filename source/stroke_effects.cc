@@ -66,6 +66,8 @@ namespace Morsel
     const bool        viscosity = body.solid.viscosity == "on" ||
                            (body.solid.viscosity == "auto" && can_fail);
 
+    // Bodies that are worked on together share the time of a part.
+    const bool                  alone = scene.particle_bodies.size() == 1;
     std::vector<Output::Effect> effects;
     const auto                  add = [&effects](const std::string &name,
                                 const bool         on,
