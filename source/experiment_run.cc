@@ -78,8 +78,7 @@ namespace Morsel
     text << experiment.particle_count() << " particles, step "
          << experiment.time_step() << " s"
          << share_of_measured_step(experiment, scene.time.end_time, log)
-         << scaled_mass_text(scene) << "; " << options.threads
-         << " threads on "
+         << scaled_mass_text(scene) << "; " << options.threads << " threads on "
          << dealii::Utilities::MPI::n_mpi_processes(communicator)
          << " rank(s). Effects:\n"
          << Output::effects_as_text(effects_of_experiment(scene));
