@@ -198,6 +198,7 @@ namespace Morsel
   TimeLoop<System, Recorder>::exchange_state(StateArchive &state)
   {
     control.exchange_state(state);
+    balance.exchange_state(state);
     state.same(
         report.step_retries, report.repartitions, report.first_time_step);
   }
@@ -327,8 +328,9 @@ namespace Morsel
   void
   TimeLoop<System, Recorder>::share_out_anew()
   {
-    const auto better = balance.better_partition(live.system->shared_bodies(),
-                                                 live.system->step());
+    if (!balance.is_due(live.system->step()))
+      return;
+    const auto better = balance.better_partition(live.system->shared_bodies());
     if (!better)
       return;
     live.move_to(*better);
