@@ -108,7 +108,8 @@ namespace Morsel
                                                 solids[second]->get_particles(),
                                                 scene.contact.stiffness *
                                                     softer * scene.depth,
-                                                scene.contact.friction)});
+                                                scene.contact.friction,
+                                                communicator)});
       }
   }
 

@@ -34,11 +34,8 @@ namespace Morsel
     for (unsigned int p = 0; p < plates.size(); ++p)
       if (elastic[p])
         {
-          const auto choice = choose_response(
-              scene,
-              plates[p].body,
-              *elastic[p],
-              dealii::Utilities::MPI::n_mpi_processes(communicator));
+          const auto choice =
+              choose_response(scene, plates[p].body, *elastic[p]);
           responses[p] = choice.response;
           log << "Body '" << plates[p].body.name << "', "
               << elastic[p]->n_cells() << " cells: " << choice.response
@@ -51,7 +48,7 @@ namespace Morsel
         if (responses[p] == "quasi-static")
           plates[p].set_deformation(
               std::make_unique<Jaw::QuasiStaticDeformation>(
-                  std::move(elastic[p])));
+                  std::move(elastic[p]), communicator));
         else if (responses[p] == "dynamic")
           plates[p].set_deformation(std::make_unique<Jaw::DynamicDeformation>(
               std::move(elastic[p]),

@@ -190,8 +190,7 @@ namespace Morsel
   ResponseChoice
   choose_response(const Scene::Scene     &scene,
                   const Scene::PlateBody &plate,
-                  const FE::ElasticBody  &body,
-                  const unsigned int      n_ranks)
+                  const FE::ElasticBody  &body)
   {
     const auto &given = plate.deformation;
     if (given.response != "auto")
@@ -227,22 +226,21 @@ namespace Morsel
     const std::string times =
         share + ", and its period of " + number_text(period) +
         " s compares with a loading of " + number_text(time) + " s";
-    const bool quasi_static_can = n_ranks == 1 &&
-                                  scene.contact.law == "gap penalty" &&
-                                  !meets_plates(scene, plate.name);
+    const bool quasi_static_can =
+        scene.contact.law == "gap penalty" && !meets_plates(scene, plate.name);
     const bool scaled      = scene.time.inertia_factor != 1.;
     const bool dynamic_can = plate.motion.carries_dynamic_bodies() && !scaled;
     if (!quasi_static_can && !dynamic_can)
       throw InputError(
           "'Body " + plate.name +
           "/Deformation/Response' = 'auto' finds none that does: " + times +
-          "; 'quasi-static' needs one rank, the gap penalty and no contact "
+          "; 'quasi-static' needs the gap penalty and no contact "
           "with other plates (name the others in 'Contact/Pairs'), 'dynamic' a "
           "prescribed motion that does not turn the body and 'Time/Mass "
           "scaling' = 1.");
     if (!quasi_static_can)
       return {"dynamic",
-              times + "; 'quasi-static' needs one rank, the gap penalty and no "
+              times + "; 'quasi-static' needs the gap penalty and no "
                       "contact with other plates"};
     if (!dynamic_can)
       return {"quasi-static",

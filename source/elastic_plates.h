@@ -38,8 +38,7 @@ namespace Morsel
   ResponseChoice
   choose_response(const Scene::Scene     &scene,
                   const Scene::PlateBody &plate,
-                  const FE::ElasticBody  &body,
-                  unsigned int            n_ranks);
+                  const FE::ElasticBody  &body);
 } // namespace Morsel
 
 #endif

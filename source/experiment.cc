@@ -92,10 +92,12 @@ namespace Morsel
     {
       const auto timer = log.section("strain and forces");
       for (auto &solid : solids)
-        {
-          solid->compute_accelerations(dt);
-          solid->add_grain_forces(dt);
-        }
+        solid->compute_accelerations(dt);
+    }
+    {
+      const auto timer = log.section("failed food");
+      for (auto &solid : solids)
+        solid->add_grain_forces(dt);
     }
     const auto timer = log.section("supports and loads");
     for (unsigned int k = 0; k < solids.size(); ++k)
@@ -106,14 +108,22 @@ namespace Morsel
   void
   Experiment::advance()
   {
-    const auto   timer = log.section("strain and forces");
-    const double dt    = clock.time_step();
-    for (auto &solid : solids)
-      {
+    const double dt = clock.time_step();
+    {
+      const auto timer = log.section("damage and broken bonds");
+      for (auto &solid : solids)
         solid->grow_damage(dt);
+    }
+    {
+      const auto timer = log.section("strain and forces");
+      for (auto &solid : solids)
         solid->advance(dt);
+    }
+    {
+      const auto timer = log.section("failed food");
+      for (auto &solid : solids)
         solid->advance_grains(dt);
-      }
+    }
     clock.advance();
   }
 

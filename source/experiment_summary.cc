@@ -268,16 +268,16 @@ namespace Morsel
     rank_load.summarise(summary, log, 0.);
     add_provenance(
         summary, scene.title, scene.name, scene.parameters_hash, communicator);
-    for (const auto &effect : effects_of_experiment(scene))
-      summary.add_effect(effect);
-    for (const auto &part : log.wall_times())
-      summary.add_part(part.first, part.second);
+    add_effects(summary, effects_of_experiment(scene), log);
   }
 
 
   std::vector<Output::Effect>
   effects_of_experiment(const Scene::Scene &scene)
   {
+    // Bodies that are worked on together share the time of a part.
+    const bool                  alone  = scene.particle_bodies.size() == 1;
+    const char *const           bonded = "strain and forces";
     std::vector<Output::Effect> effects;
     for (const auto &body : scene.particle_bodies)
       {
@@ -286,28 +286,40 @@ namespace Morsel
         effects.push_back({s.formulation + " solid, normalisation " +
                                body.normalisation() + ", " + s.kernel,
                            true,
-                           section + "Formulation"});
+                           section + "Formulation",
+                           bonded,
+                           alone});
         effects.push_back({"cracks",
                            !body.cracks.paths.empty(),
-                           "Body " + body.name + "/Cracks/Paths"});
+                           "Body " + body.name + "/Cracks/Paths",
+                           bonded});
         effects.push_back({"hourglass control",
                            !s.is_updated() && s.hourglass > 0.,
-                           section + "Hourglass coefficient"});
+                           section + "Hourglass coefficient",
+                           bonded});
         effects.push_back({"artificial viscosity",
                            s.viscosity == "on" ||
                                (s.viscosity == "auto" && body.damage.enabled),
-                           section + "Viscosity"});
+                           section + "Viscosity",
+                           bonded});
         effects.push_back({"artificial stress",
                            s.artificial_stress > 0.,
-                           section + "Artificial stress"});
+                           section + "Artificial stress",
+                           bonded});
         effects.push_back({"damage",
                            body.damage.enabled,
-                           "Body " + body.name + "/Damage/Enabled"});
+                           "Body " + body.name + "/Damage/Enabled",
+                           "damage and broken bonds",
+                           alone});
         effects.push_back(effect_of_grains(body));
       }
+    effects.push_back({"supports and loads",
+                       !scene.conditions.empty(),
+                       "Conditions",
+                       "supports and loads",
+                       true});
     effects.push_back(
-        {"supports and loads", !scene.conditions.empty(), "Conditions"});
-    effects.push_back({"fields", scene.output.fields, "Output/Fields"});
+        {"fields", scene.output.fields, "Output/Fields", "output", true});
     return effects;
   }
 } // namespace Morsel

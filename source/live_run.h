@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace Morsel
@@ -52,6 +53,24 @@ namespace Morsel
     void
     go_back(const RunState &state, double time_step);
 
+    /// What the guards say of this moment, after an evaluation.
+    /// @param thoroughly whatever the number of the step
+    std::optional<Finding>
+    check(bool thoroughly);
+
+    /// A ledger has to be open for some steps.
+    std::optional<Finding>
+    check_energy(const Measure::Energies &energies);
+
+    /// That the ledger is open, but not for so long.
+    std::optional<Finding>
+    suspicion() const
+    {
+      if (!suspected)
+        return {};
+      return suspected->finding;
+    }
+
     /// Goes on with the same state, on the ranks that @p partition says.
     void
     move_to(const Partition &partition);
@@ -68,12 +87,33 @@ namespace Morsel
     void
     renew();
 
+    /// That the ledger is open, and the step that showed it first.
+    struct Suspicion
+    {
+      Finding            finding;
+      unsigned long long since;
+    };
+
     const MakeSystem   make_system;
     const MakeRecorder make_recorder;
     RunLog            &log;
     const MPI_Comm     communicator;
     Partition          partition;
+
+    std::optional<Suspicion> suspected;
+    unsigned long long       energy_known = 0; ///< step of the last check
   };
+
+
+  /// Contacts are looked at every so many steps, particles and the energy
+  /// ledger, whose sums cost most of a step, more seldom, unless the recorder
+  /// makes these anyway.
+  constexpr unsigned int steps_between_contact_checks  = 20;
+  constexpr unsigned int steps_between_particle_checks = 40;
+  constexpr unsigned int steps_between_energy_checks   = 96;
+
+  /// Velocities that jump as prescribed open the ledger for one step.
+  constexpr unsigned int steps_of_suspicion = 2;
 
 
   template <typename Object>
@@ -166,6 +206,8 @@ namespace Morsel
     recorder->exchange_state(of_recorder);
     if (time_step != system->time_step())
       system->change_time_step(time_step);
+    energy_known = state.step;
+    suspected.reset();
   }
 
 
@@ -184,6 +226,47 @@ namespace Morsel
         recorder_archive(std::move(of_recorder), communicator);
     system->exchange_state(system_archive);
     recorder->exchange_state(recorder_archive);
+  }
+
+
+  template <typename System, typename Recorder>
+  std::optional<Finding>
+  LiveRun<System, Recorder>::check(const bool thoroughly)
+  {
+    const auto timer   = log.section("guards");
+    const auto is_time = [&](const unsigned int steps) {
+      return thoroughly || system->step() % steps == 0 ||
+             recorder->records_now();
+    };
+    if (is_time(steps_between_particle_checks))
+      if (const auto finding = guards->check_particles())
+        return finding;
+    if (is_time(steps_between_contact_checks))
+      if (const auto finding = guards->check_contacts())
+        return finding;
+    if (!thoroughly && !suspected &&
+        system->step() < energy_known + steps_between_energy_checks)
+      return {};
+    return check_energy(system->energies());
+  }
+
+
+  template <typename System, typename Recorder>
+  std::optional<Finding>
+  LiveRun<System, Recorder>::check_energy(const Measure::Energies &energies)
+  {
+    energy_known = system->step();
+    const auto finding =
+        guards->check_energy(energies, recorder->energy_ledger());
+    if (!finding)
+      suspected.reset();
+    if (!finding || finding->kind != Finding::Kind::energy)
+      return finding;
+    if (!suspected)
+      suspected = Suspicion{*finding, system->step()};
+    if (system->step() < suspected->since + steps_of_suspicion)
+      return {};
+    return finding;
   }
 
 

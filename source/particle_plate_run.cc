@@ -31,22 +31,18 @@ namespace Morsel
           {std::string("elastic plate (") +
                (plate.plane_stress ? "plane stress" : "plane strain") + ")",
            true,
-           "Material",
-           0.},
-          {plate.gradient + " gradient", true, "SPH/Gradient", 0.},
+           "Material"},
+          {plate.gradient + " gradient", true, "SPH/Gradient"},
           {"residual control of zero-energy modes",
            plate.hourglass > 0.,
-           "SPH/Hourglass coefficient",
-           0.},
+           "SPH/Hourglass coefficient"},
           {"particles fitted to " + std::to_string(cracks.size()) + " crack(s)",
            !cracks.empty() && plate.fit_to_cracks,
-           "SPH/Fit to cracks",
-           0.},
-          {"scattered particles", plate.scatter > 0., "SPH/Scatter", 0.},
+           "SPH/Fit to cracks"},
+          {"scattered particles", plate.scatter > 0., "SPH/Scatter"},
           {"cracks by " + plate.tip_handling,
            !cracks.empty(),
-           "SPH/Tip handling",
-           0.}};
+           "SPH/Tip handling"}};
     }
 
 

@@ -1,5 +1,7 @@
 #include "rank_balance.h"
 
+#include <morsel/core/state_archive.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -7,10 +9,8 @@ namespace Morsel
 {
   namespace
   {
-    constexpr unsigned int steps_between_looks = 50;
-
     /// What it takes to set a run up, in its steps (doc/performance.md).
-    constexpr double steps_of_a_change = 500.;
+    constexpr double steps_of_a_change = 200.;
 
     /// What a change has to save, relative.
     constexpr double least_gain = 0.02;
@@ -22,6 +22,13 @@ namespace Morsel
       , looks(wanted &&
               dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
   {}
+
+
+  void
+  RankBalance::exchange_state(StateArchive &state)
+  {
+    state.same(waited);
+  }
 
 
   RankBalance::Work
@@ -40,14 +47,12 @@ namespace Morsel
 
 
   std::optional<Partition>
-  RankBalance::better_partition(const std::vector<const SPH::Solid *> &bodies,
-                                const unsigned long long               step)
+  RankBalance::better_partition(const std::vector<const SPH::Solid *> &bodies)
   {
     const auto has_broken = [](const SPH::Solid *const body) {
       return body->failed_share() > 0.;
     };
-    if (!looks || step % steps_between_looks != 0 ||
-        std::none_of(bodies.begin(), bodies.end(), has_broken))
+    if (std::none_of(bodies.begin(), bodies.end(), has_broken))
       return {};
     const Work work = of_ranks(bodies);
     waited += (work.largest / work.mean - 1.) * steps_between_looks;

@@ -3,6 +3,7 @@
 
 #include "run_state.h"
 
+#include <morsel/core/state_archive_fwd.h>
 #include <morsel/sph/solid.h>
 
 #include <deal.II/base/mpi.h>
@@ -23,11 +24,20 @@ namespace Morsel
     /// @param wanted whether anything is to change
     RankBalance(bool wanted, MPI_Comm communicator);
 
-    /// After a step. Collective.
-    /// @return what to go on with, if that is worth a change
+    /// Whether it is time to look at the work of the ranks, after so many
+    /// steps; never on one rank.
+    bool
+    is_due(const unsigned long long step) const
+    {
+      return looks && step % steps_between_looks == 0;
+    }
+
+    /// Collective. @return what to go on with, if that is worth a change
     std::optional<Partition>
-    better_partition(const std::vector<const SPH::Solid *> &bodies,
-                     unsigned long long                     step);
+    better_partition(const std::vector<const SPH::Solid *> &bodies);
+
+    void
+    exchange_state(StateArchive &state);
 
   private:
     /// Of one rank, or one cell, in hundredths of a sound particle's.
@@ -35,6 +45,8 @@ namespace Morsel
     {
       double mean, largest;
     };
+
+    static constexpr unsigned int steps_between_looks = 50;
 
     Work
     of_ranks(const std::vector<const SPH::Solid *> &bodies) const;

@@ -320,27 +320,6 @@ namespace Morsel
   void
   Recorder::summarise_effects()
   {
-    const auto parts = log.wall_times();
-    const auto spent = [&](const std::string &part) {
-      for (const auto &p : parts)
-        if (p.first == part)
-          return p.second;
-      return 0.;
-    };
-    const std::pair<std::string, std::string> part_of_effect[] = {
-        {"elastic", "strain and forces"},
-        {"damage", "damage and broken bonds"},
-        {"granular", "failed food"},
-        {"contact", "contact with plates"},
-        {"fields", "output"}};
-    for (auto effect : effects_of(scene))
-      {
-        for (const auto &[begin, part] : part_of_effect)
-          if (effect.name.compare(0, begin.size(), begin) == 0)
-            effect.wall_time = spent(part);
-        summary.add_effect(effect);
-      }
-    for (const auto &part : parts)
-      summary.add_part(part.first, part.second);
+    add_effects(summary, effects_of(scene), log);
   }
 } // namespace Morsel

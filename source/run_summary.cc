@@ -62,6 +62,31 @@ namespace Morsel
   }
 
 
+  void
+  add_effects(Output::Summary            &summary,
+              std::vector<Output::Effect> effects,
+              const RunLog               &log)
+  {
+    const auto   parts = log.wall_times();
+    const double loop  = log.loop_wall_time();
+    for (Output::Effect &effect : effects)
+      {
+        const auto part =
+            std::find_if(parts.begin(), parts.end(), [&](const auto &p) {
+              return p.first == effect.part;
+            });
+        if (effect.on && effect.fills_part && part != parts.end())
+          {
+            effect.wall_time = part->second;
+            effect.share     = loop > 0. ? part->second / loop : 0.;
+          }
+        summary.add_effect(effect);
+      }
+    for (const auto &part : parts)
+      summary.add_part(part.first, part.second);
+  }
+
+
   Output::Effect
   effect_of_grains(const Scene::ParticleBody &body)
   {

@@ -1,6 +1,7 @@
 #ifndef morsel_run_summary_h
 #define morsel_run_summary_h
 
+#include <morsel/core/log.h>
 #include <morsel/output/summary.h>
 #include <morsel/scene/scene.h>
 #include <morsel/sph/static_solid.h>
@@ -8,6 +9,7 @@
 #include <mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace Morsel
 {
@@ -35,6 +37,13 @@ namespace Morsel
   /// Unknowns, iterations and how converged a static solution is.
   void
   add_static_report(Output::Summary &summary, const SPH::StaticReport &report);
+
+
+  /// The effects of a run in time with what they took, and its parts.
+  void
+  add_effects(Output::Summary            &summary,
+              std::vector<Output::Effect> effects,
+              const RunLog               &log);
 
 
   /// Whether a body's grains differ, and in what.

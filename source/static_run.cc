@@ -54,14 +54,14 @@ namespace Morsel
     effects_of_equilibrium(const Scene::Scene &scene)
     {
       std::vector<Output::Effect> effects = {
-          {"static equilibrium at small strain", true, "Time/Solution", 0.}};
+          {"static equilibrium at small strain", true, "Time/Solution"}};
       for (const Scene::ParticleBody &body : scene.particle_bodies)
         {
           const std::string section = "Body " + body.name + "/";
           const auto        add     = [&](const std::string &name,
                                const bool         on,
                                const std::string &entry) {
-            effects.push_back({name, on, section + entry, 0.});
+            effects.push_back({name, on, section + entry});
           };
           add(body.shape.kind + ", " + body.filling + " filling",
               true,
@@ -76,8 +76,8 @@ namespace Morsel
               "Solid/Hourglass coefficient");
         }
       effects.push_back(
-          {"supports and loads", !scene.conditions.empty(), "Conditions", 0.});
-      effects.push_back({"fields", scene.output.fields, "Output/Fields", 0.});
+          {"supports and loads", !scene.conditions.empty(), "Conditions"});
+      effects.push_back({"fields", scene.output.fields, "Output/Fields"});
       return effects;
     }
 

@@ -92,13 +92,6 @@ namespace Morsel
     std::optional<Finding>
     evaluate_and_check(bool thoroughly);
 
-    std::optional<Finding>
-    check(bool thoroughly);
-
-    /// A ledger has to be open for some steps.
-    std::optional<Finding>
-    check_energy(const Measure::Energies &energies);
-
     /// One step. States are kept and saved once the guards have found them
     /// good; a checkpoint that is due waits for that. @param interrupted is set
     std::optional<Finding>
@@ -121,10 +114,6 @@ namespace Morsel
     void
     save(const RunState &good);
 
-    /// @param time_step to go on with [s]
-    void
-    go_back(const RunState &good, double time_step);
-
     /// Other owners for the particles, if that is worth it.
     void
     share_out_anew();
@@ -137,34 +126,14 @@ namespace Morsel
     std::string
     keep_last_good();
 
-    /// That the ledger is open, and the step that showed it first.
-    struct Suspicion
-    {
-      Finding            finding;
-      unsigned long long since;
-    };
-
     Checkpoints *const        checkpoints;
     RunLog                   &log;
     const MPI_Comm            communicator;
     LiveRun<System, Recorder> live;
     StepControl               control;
     RankBalance               balance;
-    std::optional<Suspicion>  suspicion;
-    unsigned long long        energy_known = 0; ///< step of the last check
     LoopReport                report;
   };
-
-
-  /// Contacts are looked at every so many steps, particles and the energy
-  /// ledger, whose sums cost most of a step, more seldom, unless the recorder
-  /// makes these anyway.
-  constexpr unsigned int steps_between_contact_checks  = 20;
-  constexpr unsigned int steps_between_particle_checks = 40;
-  constexpr unsigned int steps_between_energy_checks   = 96;
-
-  /// Velocities that jump as prescribed open the ledger for one step.
-  constexpr unsigned int steps_of_suspicion = 2;
 
 
   template <typename System, typename Recorder>
@@ -229,6 +198,7 @@ namespace Morsel
   TimeLoop<System, Recorder>::exchange_state(StateArchive &state)
   {
     control.exchange_state(state);
+    balance.exchange_state(state);
     state.same(
         report.step_retries, report.repartitions, report.first_time_step);
   }
@@ -254,7 +224,7 @@ namespace Morsel
   {
     begin();
     bool                   interrupted = false;
-    std::optional<Finding> finding     = check(true);
+    std::optional<Finding> finding     = live.check(true);
     for (;;)
       {
         if (!finding && !interrupted)
@@ -265,9 +235,9 @@ namespace Morsel
                        live.system->time(),
                        live.system->step());
         else if (!finding)
-          finding = check(true);
-        if (!finding && finished && suspicion)
-          finding = suspicion->finding;
+          finding = live.check(true);
+        if (!finding && finished)
+          finding = live.suspicion();
         if (!finding && (finished || interrupted))
           {
             report.interrupted = !finished;
@@ -292,7 +262,7 @@ namespace Morsel
       return evaluate_and_check(false);
     RunState   now     = live.state();
     const auto finding = evaluate_and_check(true);
-    if (finding || suspicion)
+    if (finding || live.suspicion())
       return finding;
     // From a state in which noise has begun to grow no step would save the run.
     if (keeps && live.guards->closes_well(live.system->energies(),
@@ -335,7 +305,7 @@ namespace Morsel
   {
     return finding_of([&] {
       live.system->evaluate();
-      return check(thoroughly);
+      return live.check(thoroughly);
     });
   }
 
@@ -349,60 +319,8 @@ namespace Morsel
       live.recorder->follow();
       if (!samples)
         return {};
-      return check_energy(live.recorder->energy_ledger().last());
+      return live.check_energy(live.recorder->energy_ledger().last());
     });
-  }
-
-
-  template <typename System, typename Recorder>
-  std::optional<Finding>
-  TimeLoop<System, Recorder>::check(const bool thoroughly)
-  {
-    const auto timer   = log.section("guards");
-    const auto is_time = [&](const unsigned int steps) {
-      return thoroughly || live.system->step() % steps == 0 ||
-             live.recorder->records_now();
-    };
-    if (is_time(steps_between_particle_checks))
-      if (const auto finding = live.guards->check_particles())
-        return finding;
-    if (is_time(steps_between_contact_checks))
-      if (const auto finding = live.guards->check_contacts())
-        return finding;
-    if (!thoroughly && !suspicion &&
-        live.system->step() < energy_known + steps_between_energy_checks)
-      return {};
-    return check_energy(live.system->energies());
-  }
-
-
-  template <typename System, typename Recorder>
-  std::optional<Finding>
-  TimeLoop<System, Recorder>::check_energy(const Measure::Energies &energies)
-  {
-    energy_known = live.system->step();
-    const auto finding =
-        live.guards->check_energy(energies, live.recorder->energy_ledger());
-    if (!finding)
-      suspicion.reset();
-    if (!finding || finding->kind != Finding::Kind::energy)
-      return finding;
-    if (!suspicion)
-      suspicion = Suspicion{*finding, live.system->step()};
-    if (live.system->step() < suspicion->since + steps_of_suspicion)
-      return {};
-    return finding;
-  }
-
-
-  template <typename System, typename Recorder>
-  void
-  TimeLoop<System, Recorder>::go_back(const RunState &good,
-                                      const double    time_step)
-  {
-    live.go_back(good, time_step);
-    energy_known = good.step;
-    suspicion.reset();
   }
 
 
@@ -410,8 +328,9 @@ namespace Morsel
   void
   TimeLoop<System, Recorder>::share_out_anew()
   {
-    const auto better = balance.better_partition(live.system->shared_bodies(),
-                                                 live.system->step());
+    if (!balance.is_due(live.system->step()))
+      return;
+    const auto better = balance.better_partition(live.system->shared_bodies());
     if (!better)
       return;
     live.move_to(*better);
@@ -438,7 +357,7 @@ namespace Morsel
              << " s instead of " << bad.time_step << " s (retry "
              << report.step_retries << ").";
         log.warning(text.str());
-        go_back(*good, control.time_step());
+        live.go_back(*good, control.time_step());
         return true;
       }
     report.failure =
@@ -452,7 +371,7 @@ namespace Morsel
   TimeLoop<System, Recorder>::keep_last_good()
   {
     const RunState &good = *control.last_good();
-    go_back(good, good.time_step);
+    live.go_back(good, good.time_step);
     std::ostringstream text;
     text << "the results end with the last good state, of time " << good.time
          << " s, step " << good.step;

@@ -50,7 +50,7 @@ namespace Morsel
     std::vector<Output::Effect> effects;
     const auto                  add =
         [&](const std::string &name, const bool on, const std::string &reason) {
-          effects.push_back({name, on, reason, 0.});
+          effects.push_back({name, on, reason});
         };
     add(std::string("elastic plate (") +
             (plate.plane_stress ? "plane stress" : "plane strain") + ")",

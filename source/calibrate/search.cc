@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 namespace Morsel::Calibrate
@@ -17,7 +18,7 @@ namespace Morsel::Calibrate
     {
       char text[32];
       std::snprintf(text, sizeof(text), "%.5g", value);
-      return std::stod(text);
+      return std::strtod(text, nullptr);
     }
 
 

@@ -144,7 +144,6 @@ namespace Morsel::Contact
         search(place, n_owned, surface);
         watch.begin(travelled);
       }
-    particles_moved = watch.bound(travelled);
     position.resize(candidates.size());
     for (unsigned int c = 0; c < candidates.size(); ++c)
       position[c] = place(candidates[c].particle);
@@ -163,9 +162,9 @@ namespace Morsel::Contact
                               const double               time_step,
                               Surface                   &surface)
   {
-    heat        = heat_before;
-    stretch     = stretch_before;
-    nodes_moved = farthest_node(surface);
+    heat    = heat_before;
+    stretch = stretch_before;
+    moved   = motion_of(surface);
     return press_all(motion, time_step, surface);
   }
 
@@ -178,12 +177,15 @@ namespace Morsel::Contact
     energy = penetration = 0.;
     forces.clear();
     begin(surface);
-    const double near = influence() + approach();
+    // What goes along with the surface comes no nearer to it.
     for (unsigned int k = 0; k < candidates.size(); ++k)
       {
         const Candidate     &c = candidates[k];
         dealii::Tensor<1, 2> f;
-        if (!(c.clearance > near))
+        approached =
+            (position[k] - searched_at[c.particle] - moved.drift).norm() +
+            moved.deviation;
+        if (c.clearance <= influence() + approached)
           {
             const Motion &m = motion[c.particle];
             f               = press(position[k],
@@ -239,14 +241,25 @@ namespace Morsel::Contact
   }
 
 
-  double
-  PlateContact::farthest_node(const Surface &surface) const
+  PlateContact::SurfaceMotion
+  PlateContact::motion_of(const Surface &surface) const
   {
-    double square = 0.;
-    for (unsigned int k = 0; k < surface.nodes.size(); ++k)
-      square = std::max(square,
-                        (surface.nodes[k] - searched_nodes[k]).norm_square());
-    return std::sqrt(square);
+    const unsigned int n = surface.nodes.size();
+    SurfaceMotion      motion;
+    double             farthest = 0., deviation = 0.;
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const auto way = surface.nodes[k] - searched_nodes[k];
+        motion.drift += way / n;
+        farthest = std::max(farthest, way.norm_square());
+      }
+    for (unsigned int k = 0; k < n; ++k)
+      deviation = std::max(
+          deviation,
+          (surface.nodes[k] - searched_nodes[k] - motion.drift).norm_square());
+    motion.farthest  = std::sqrt(farthest);
+    motion.deviation = std::sqrt(deviation);
+    return motion;
   }
 
 
@@ -260,8 +273,8 @@ namespace Morsel::Contact
     if (searched_at.size() != n_owned)
       return true;
     const double limit = 0.5 * margin;
-    nodes_moved        = farthest_node(surface);
-    return nodes_moved > limit || watch.beyond(limit, travelled, [&] {
+    moved              = motion_of(surface);
+    return moved.farthest > limit || watch.beyond(limit, travelled, [&] {
       double largest = 0.;
       for (unsigned int i = 0; i < n_owned; ++i)
         largest = std::max(largest, (place(i) - searched_at[i]).norm_square());
@@ -277,7 +290,7 @@ namespace Morsel::Contact
                        const Surface     &surface)
   {
     searched_nodes = surface.nodes;
-    nodes_moved    = 0.;
+    moved          = {};
     searched_at.resize(n_owned);
     candidates.clear();
     facets_near.clear();

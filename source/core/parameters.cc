@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <sstream>
 
@@ -151,6 +150,45 @@ namespace Morsel
     }
 
 
+    /// Why an entry was refused.
+    std::string
+    explain_refusal(const ParameterEntry &entry, const ParameterHandler &prm)
+    {
+      const std::vector<DeclaredParameter> declared = declared_parameters(prm);
+      const auto                           parameter =
+          std::find_if(declared.begin(), declared.end(), [&](const auto &p) {
+            return p.path() == entry.path();
+          });
+      return parameter == declared.end() ? explain_unknown(entry, declared)
+                                         : explain_value(entry, *parameter);
+    }
+
+
+    /// Sets an entry; returns whether it is declared and its value allowed.
+    bool
+    accepts(ParameterHandler &prm, const ParameterEntry &entry)
+    {
+      const std::vector<std::string> sections = split_path(entry.section);
+      // To enter one that is not declared would make it.
+      if (!prm.subsection_path_exists(sections))
+        return false;
+      for (const std::string &section : sections)
+        prm.enter_subsection(section);
+      bool accepted = true;
+      try
+        {
+          prm.set(entry.key, entry.value);
+        }
+      catch (const dealii::ExceptionBase &)
+        {
+          accepted = false;
+        }
+      for (std::size_t i = 0; i < sections.size(); ++i)
+        prm.leave_subsection();
+      return accepted;
+    }
+
+
     /// "from 0 to 1", "of at least 0" and so on for "0...1 (inclusive)".
     std::string
     range_in_words(const std::string &range)
@@ -236,31 +274,9 @@ namespace Morsel
   set_parameters(ParameterHandler                  &prm,
                  const std::vector<ParameterEntry> &entries)
   {
-    const std::vector<DeclaredParameter> declared = declared_parameters(prm);
-    std::map<std::string, const DeclaredParameter *> known;
-    for (const DeclaredParameter &parameter : declared)
-      known[parameter.path()] = &parameter;
-
     for (const ParameterEntry &entry : entries)
-      {
-        const auto parameter = known.find(entry.path());
-        if (parameter == known.end())
-          throw InputError(explain_unknown(entry, declared));
-
-        const std::vector<std::string> sections = split_path(entry.section);
-        for (const std::string &section : sections)
-          prm.enter_subsection(section);
-        try
-          {
-            prm.set(entry.key, entry.value);
-          }
-        catch (const dealii::ExceptionBase &)
-          {
-            throw InputError(explain_value(entry, *parameter->second));
-          }
-        for (std::size_t i = 0; i < sections.size(); ++i)
-          prm.leave_subsection();
-      }
+      if (!accepts(prm, entry))
+        throw InputError(explain_refusal(entry, prm));
   }
 
 

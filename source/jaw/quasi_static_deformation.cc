@@ -1,6 +1,9 @@
 #include <morsel/core/errors.h>
+#include <morsel/core/gather.h>
 #include <morsel/core/state_archive.h>
 #include <morsel/jaw/quasi_static_deformation.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 
@@ -17,12 +20,28 @@ namespace Morsel::Jaw
     constexpr unsigned int attempts_before_half = 15;
     /// A matrix is kept while it reduces the residual by this.
     constexpr double fast_convergence = 0.1;
+
+
+    /// A touch and how many shares it has.
+    struct TouchRecord
+    {
+      dealii::Tensor<2, 2> stiffness; ///< [N/m]
+      unsigned int         n_shares;
+    };
+
+    struct ShareRecord
+    {
+      unsigned int node;
+      double       weight;
+    };
   } // namespace
 
 
   QuasiStaticDeformation::QuasiStaticDeformation(
-      std::unique_ptr<FE::ElasticBody> elastic_body)
+      std::unique_ptr<FE::ElasticBody> elastic_body,
+      const MPI_Comm                   communicator)
       : Deformation(std::move(elastic_body))
+      , communicator(communicator)
       , factors(body->factorise(1., 0.))
       , compliance(body->surface_nodes().size())
       , place(body->surface_nodes().size(), -1)
@@ -45,12 +64,42 @@ namespace Morsel::Jaw
   }
 
 
-  void
-  QuasiStaticDeformation::make_columns(const TouchLists &touches)
+  Eigen::VectorXd
+  QuasiStaticDeformation::forces_of_all_ranks(
+      const Contact::Surface &surface) const
   {
+    Eigen::VectorXd f = nodal_forces(surface, R);
+    dealii::Utilities::MPI::sum(
+        dealii::ArrayView<const double>(f.data(), f.size()),
+        communicator,
+        dealii::ArrayView<double>(f.data(), f.size()));
+    return f;
+  }
+
+
+  Contact::Touches
+  QuasiStaticDeformation::touches_of_all_ranks(const TouchLists &touches) const
+  {
+    std::vector<TouchRecord> own;
+    std::vector<ShareRecord> own_shares;
     for (const auto *const list : touches)
-      for (const auto &share : list->shares)
-        make_columns(share.first);
+      for (const auto &touch : list->list)
+        {
+          own.push_back({touch.stiffness, touch.last - touch.first});
+          for (unsigned int s = touch.first; s < touch.last; ++s)
+            own_shares.push_back(
+                {list->shares[s].first, list->shares[s].second});
+        }
+    Contact::Touches all;
+    for (const auto &share : gather(own_shares, communicator))
+      all.shares.emplace_back(share.node, share.weight);
+    unsigned int first = 0;
+    for (const auto &touch : gather(own, communicator))
+      {
+        all.list.push_back({touch.stiffness, first, first + touch.n_shares});
+        first += touch.n_shares;
+      }
+    return all;
   }
 
 
@@ -81,45 +130,43 @@ namespace Morsel::Jaw
 
 
   bool
-  QuasiStaticDeformation::covers(const TouchLists &touches) const
+  QuasiStaticDeformation::covers(const Contact::Touches &touches) const
   {
-    for (const auto *const list : touches)
-      for (const auto &share : list->shares)
-        if (place[share.first] < 0)
-          return false;
-    return true;
+    return std::all_of(
+        touches.shares.begin(),
+        touches.shares.end(),
+        [this](const auto &share) { return place[share.first] >= 0; });
   }
 
 
   void
-  QuasiStaticDeformation::make_matrix(const TouchLists &touches)
+  QuasiStaticDeformation::make_matrix(const Contact::Touches &touches)
   {
     for (const unsigned int node : touched)
       place[node] = -1;
     touched.clear();
-    for (const auto *const list : touches)
-      for (const auto &share : list->shares)
-        if (place[share.first] < 0)
-          {
-            place[share.first] = touched.size();
-            touched.push_back(share.first);
-          }
+    for (const auto &share : touches.shares)
+      if (place[share.first] < 0)
+        {
+          place[share.first] = touched.size();
+          touched.push_back(share.first);
+          make_columns(share.first);
+        }
 
     const unsigned int n = 2 * touched.size();
     contact_stiffness    = Eigen::MatrixXd::Zero(n, n);
-    for (const auto *const list : touches)
-      for (const auto &t : list->list)
-        {
-          const auto stiffness = dealii::transpose(R) * t.stiffness * R;
-          for (unsigned int i = t.first; i < t.last; ++i)
-            for (unsigned int j = t.first; j < t.last; ++j)
-              for (unsigned int c = 0; c < 2; ++c)
-                for (unsigned int d = 0; d < 2; ++d)
-                  contact_stiffness(2 * place[list->shares[i].first] + c,
-                                    2 * place[list->shares[j].first] + d) +=
-                      list->shares[i].second * list->shares[j].second *
-                      stiffness[c][d];
-        }
+    const auto &shares   = touches.shares;
+    for (const auto &t : touches.list)
+      {
+        const auto stiffness = dealii::transpose(R) * t.stiffness * R;
+        for (unsigned int i = t.first; i < t.last; ++i)
+          for (unsigned int j = t.first; j < t.last; ++j)
+            for (unsigned int c = 0; c < 2; ++c)
+              for (unsigned int d = 0; d < 2; ++d)
+                contact_stiffness(2 * place[shares[i].first] + c,
+                                  2 * place[shares[j].first] + d) +=
+                    shares[i].second * shares[j].second * stiffness[c][d];
+      }
     factorise_matrix();
   }
 
@@ -144,8 +191,10 @@ namespace Morsel::Jaw
                                  const double      time_step)
   {
     ++evaluations;
-    const Eigen::VectorXd f = nodal_forces(surface, R);
-    make_columns(touches);
+    const Eigen::VectorXd f = forces_of_all_ranks(surface);
+    for (unsigned int k = 0; k < compliance.size(); ++k)
+      if (f[2 * k] != 0. || f[2 * k + 1] != 0.)
+        make_columns(k);
     const Eigen::VectorXd answer   = deflection(f);
     const double          residual = (answer - w).lpNorm<Eigen::Infinity>();
     const double          scale =
@@ -165,10 +214,11 @@ namespace Morsel::Jaw
           "'Deformation/Response' = 'dynamic', which suits bodies as soft as "
           "the food.");
 
-    Eigen::VectorXd next = answer;
-    if (!covers(touches) ||
+    Eigen::VectorXd        next = answer;
+    const Contact::Touches all  = touches_of_all_ranks(touches);
+    if (!covers(all) ||
         (attempt > 1 && residual > fast_convergence * last_residual))
-      make_matrix(touches);
+      make_matrix(all);
     if (!touched.empty())
       {
         // w = C f(w), linearised: (I + C K) dw = C f - w, f' = f - K dw.
@@ -197,6 +247,15 @@ namespace Morsel::Jaw
       }
     w = next;
     return false;
+  }
+
+
+  double
+  QuasiStaticDeformation::strain_energy() const
+  {
+    return dealii::Utilities::MPI::this_mpi_process(communicator) == 0
+               ? 0.5 * force.dot(w)
+               : 0.;
   }
 
 

@@ -90,7 +90,12 @@ namespace Morsel::Output
         {{"name", effect.name},
          {"on", effect.on},
          {"reason", effect.reason},
-         {"wall_time", finite(effect.name, "time", effect.wall_time)}});
+         {"wall_time", finite(effect.name, "time", effect.wall_time)},
+         {"share", finite(effect.name, "share", effect.share)}});
+    if (effect.on && !effect.part.empty())
+      effects.back()["part"] = effect.part;
+    if (effect.on && !effect.without.empty())
+      effects.back()["without"] = effect.without;
   }
 
 

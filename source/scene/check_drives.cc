@@ -160,15 +160,11 @@ namespace Morsel::Scene
                                  "alone; leave the pair out, or take "
                                  "'Deformation/Response' = 'dynamic'.");
     }
-    /// Particle bodies that may touch are on one rank together.
+
+
     void
     check_food_pairs(const Scene &scene, Findings &findings)
     {
-      if (!scene.food_pairs.empty() && !scene.plate_bodies.empty() &&
-          dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-        findings.mistake("Contact/Pairs",
-                         "contact between particle bodies works on one rank "
-                         "only.");
       for (const PairOfAKind &pair : scene.food_pairs)
         for (const ParticleBody &body : scene.particle_bodies)
           if ((body.name == pair.first || body.name == pair.second) &&

@@ -2,7 +2,6 @@
 #include <morsel/scene/findings.h>
 #include <morsel/scene/mesh.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -76,11 +75,6 @@ namespace Morsel::Scene
         findings.mistake(section + "Response",
                          "a body without inertia needs 'Contact/Law' = 'gap "
                          "penalty'; or take 'dynamic'.");
-      if (given.response == "quasi-static" &&
-          dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-        findings.mistake(section + "Response",
-                         "a body without inertia works on one rank only; take "
-                         "'dynamic' on several.");
     }
   } // namespace
 

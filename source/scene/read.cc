@@ -8,6 +8,7 @@
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <sstream>
 
 namespace Morsel::Scene
@@ -201,7 +202,7 @@ namespace Morsel::Scene
       std::ostringstream text;
       text.precision(15);
       text << value;
-      if (std::stod(text.str()) != value)
+      if (std::strtod(text.str().c_str(), nullptr) != value)
         {
           text.str("");
           text.precision(17);

@@ -170,7 +170,20 @@ namespace Morsel::SPH
   void
   BodyContact::exchange_state(StateArchive &state)
   {
-    state.cache(pairs, searched_a, searched_b);
+    state.cache(pairs);
+    for (Side &side : sides)
+      {
+        // As many records on any number of ranks.
+        std::vector<std::vector<unsigned int>> plan;
+        if (side.exchange)
+          plan = side.exchange->get_plan();
+        const bool there = state.cache(side.searched, side.foreign, plan);
+        if (state.loads() && there && side.exchange)
+          {
+            side.exchange->set_plan(plan);
+            side.foreign_now.resize(side.foreign.size());
+          }
+      }
     state.sum(energy, heat);
   }
 

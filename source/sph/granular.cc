@@ -10,10 +10,11 @@ namespace Morsel::SPH
 {
   namespace
   {
-    /// What a row takes for each of its pairs in a group's slots, and for one
-    /// of live material, in hundredths of a bonded particle's work (measured,
-    /// doc/performance.md).
-    constexpr unsigned int work_of_slot = 19, work_of_live_pair = 8;
+    /// What unbonded pairs take, in hundredths of a bonded particle's work
+    /// (measured, doc/performance.md): for each member of the list and each
+    /// grain, and in a row for each slot of its group and each live pair.
+    constexpr unsigned int work_of_member = 50, work_of_grain = 65,
+                           work_of_slot = 6, work_of_live_pair = 10;
 
 
     GrainConstants
@@ -391,6 +392,7 @@ namespace Morsel::SPH
           }
         for (unsigned int m = block.first; m < block.last; ++m)
           of_particles[members[m]] +=
+              work_of_member + (member_failed[m] ? work_of_grain : 0) +
               work_of_live_pair * (block.live_start[m - block.first + 1] -
                                    block.live_start[m - block.first]);
       }

@@ -30,7 +30,7 @@ namespace Morsel::SPH
     std::vector<dealii::Point<2>> all;
     for (unsigned int i = 0; i < particles.n_owned; ++i)
       all.push_back(particles.position(i));
-    exchange->find(built_at, all, grid, reach, kernel.support());
+    exchange->find(built_at, all, built_at, grid, reach, kernel.support());
     travelled_at_build = particles.travelled;
     foreign.clear();
     exchange->exchange<Foreign>(

@@ -25,6 +25,7 @@ namespace Morsel::SPH
   void
   MemberExchange::find(const std::vector<Point<2>> &own,
                        const std::vector<Point<2>> &all,
+                       const std::vector<Point<2>> &seeking,
                        const CellGrid              &grid,
                        const double                 reach,
                        const double                 margin)
@@ -43,7 +44,7 @@ namespace Morsel::SPH
           grid.for_each_run(
               x, [&](const unsigned int begin, const unsigned int end) {
                 for (unsigned int m = begin; m < end && !near; ++m)
-                  near = (own[m] - x).norm_square() < reach * reach;
+                  near = (seeking[m] - x).norm_square() < reach * reach;
               });
           wanted.push_back(near);
         });

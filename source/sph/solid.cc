@@ -171,6 +171,8 @@ namespace Morsel::SPH
   Solid::work_of_particles() const
   {
     std::vector<unsigned int> work(particles.n_owned, 100);
+    if (fracture)
+      fracture->add_work(work);
     if (granular && granular->active())
       granular->add_work(work);
     return work;

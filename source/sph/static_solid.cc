@@ -19,10 +19,6 @@ namespace Morsel::SPH
 
   namespace
   {
-    /// Stiffness of a held facet over that of a layer as thick as the facet
-    /// is long; multipliers take away what it yields, the faster the stiffer
-    /// it is.
-    constexpr double       penalty                      = 1e3;
     constexpr unsigned int simple_multiplier_step_count = 8;
     constexpr double       final_tolerance              = 1e-13;
     constexpr double       gap_tolerance                = 1e-12;
@@ -30,17 +26,6 @@ namespace Morsel::SPH
     constexpr unsigned int largest_iteration_count      = 2000;
     /// Of exact factors: 1 GB.
     constexpr double largest_entry_count = 1.25e8;
-
-
-    /// Weights of one component.
-    VectorField
-    along(const std::vector<double> &weight, const unsigned int component)
-    {
-      VectorField result(weight.size());
-      for (unsigned int k = 0; k < weight.size(); ++k)
-        result[k][component] = weight[k];
-      return result;
-    }
   } // namespace
 
 
@@ -119,81 +104,6 @@ namespace Morsel::SPH
       , youngs_modulus(youngs_modulus)
       , load(gradient.volume.size())
   {}
-
-
-  void
-  StaticSolid::apply_traction(const unsigned int  side,
-                              const Tensor<1, 2> &traction)
-  {
-    for (const BoundaryFacet &facet : boundary)
-      if (facet.side == side)
-        for (unsigned int k = 0; k < facet.index.size(); ++k)
-          load[facet.index[k]] += facet.weight[k] * traction;
-  }
-
-
-  void
-  StaticSolid::apply_force(const ShapeValues &place, const Tensor<1, 2> &force)
-  {
-    for (unsigned int k = 0; k < place.index.size(); ++k)
-      load[place.index[k]] += place.value[k] * force;
-  }
-
-
-  void
-  StaticSolid::apply_force(const unsigned int i, const Tensor<1, 2> &force)
-  {
-    load[i] += force;
-  }
-
-
-  void
-  StaticSolid::hold(const unsigned int side,
-                    const unsigned int component,
-                    const double       displacement)
-  {
-    for (const BoundaryFacet &facet : boundary)
-      if (facet.side == side)
-        hold(facet, component, displacement);
-  }
-
-
-  void
-  StaticSolid::hold(const BoundaryFacet &facet,
-                    const unsigned int   component,
-                    const double         displacement)
-  {
-    constraints.push_back(
-        {penalty * youngs_modulus / (facet.length * facet.length),
-         facet.length,
-         facet.index,
-         along(facet.weight, component),
-         facet.length * displacement});
-  }
-
-
-  void
-  StaticSolid::hold_across(const BoundaryFacet &facet)
-  {
-    constraints.push_back(
-        {penalty * youngs_modulus / (facet.length * facet.length),
-         facet.length,
-         facet.index,
-         facet.flux});
-  }
-
-
-  void
-  StaticSolid::pin(const ShapeValues &place,
-                   const unsigned int component,
-                   const double       displacement)
-  {
-    constraints.push_back({penalty * youngs_modulus,
-                           1.,
-                           place.index,
-                           along(place.value, component),
-                           displacement});
-  }
 
 
   double

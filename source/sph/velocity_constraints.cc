@@ -32,7 +32,7 @@ namespace Morsel::SPH
     constexpr unsigned int most_corrections = 4;
 
     using Matrix = Eigen::MatrixXd;
-    using Vector = Eigen::VectorXd;
+    using Column = Eigen::VectorXd;
 
 
     /// W of some traces: a row for each, a column for each of their particles.
@@ -61,7 +61,7 @@ namespace Morsel::SPH
 
     /// By how much each trace misses its target, velocity less target, and
     /// behind that how fast particles are, no less than the fastest [m/s].
-    Vector
+    Column
     find_gaps(const std::vector<Prescribed *> &constraints,
               double Vector2::*const       direction,
               const Particles             &p,
@@ -69,7 +69,7 @@ namespace Morsel::SPH
               const ParticleHost<2> *const ranks)
     {
       const unsigned int n = constraints.size();
-      Vector             gaps(n + 1);
+      Column             gaps(n + 1);
       gaps(n) = 0.;
       for (unsigned int k = 0; k < n; ++k)
         {
@@ -137,12 +137,12 @@ namespace Morsel::SPH
         for (const unsigned int k : group)
           coupled.push_back(constraints[k]);
         const Weights W(coupled);
-        Vector        mobility(W.particle.size());
+        Column        mobility(W.particle.size());
         for (unsigned int i = 0; i < W.particle.size(); ++i)
           mobility(i) = 1. / mass[W.particle[i]];
         const Matrix A =
             W.weight * mobility.asDiagonal() * W.weight.transpose();
-        const Vector scale = A.diagonal().cwiseSqrt().cwiseInverse();
+        const Column scale = A.diagonal().cwiseSqrt().cwiseInverse();
         const Eigen::SelfAdjointEigenSolver<Matrix> eigen(
             scale.asDiagonal() * A * scale.asDiagonal());
         const double largest = eigen.eigenvalues().maxCoeff();
@@ -150,7 +150,7 @@ namespace Morsel::SPH
         for (unsigned int k = 0; k < coupled.size(); ++k)
           {
             const double value = eigen.eigenvalues()(k);
-            Vector share = scale.cwiseProduct(eigen.eigenvectors().col(k));
+            Column share = scale.cwiseProduct(eigen.eigenvectors().col(k));
             if (value > zero_eigenvalue * largest)
               inverse += share * share.transpose() / value;
             if (value >= small_eigenvalue * largest)
@@ -209,7 +209,7 @@ namespace Morsel::SPH
     double             first = 0.;
     for (unsigned int n = 0; n < most_corrections; ++n)
       {
-        const Vector found = find_gaps(
+        const Column found = find_gaps(
             component.constraints, component.direction, p, kick, ranks);
         const auto   gaps    = found.head(size);
         const double speed   = found(size);
@@ -218,7 +218,7 @@ namespace Morsel::SPH
           first = largest;
         if (!(largest > 1e-12 * first + 1e-14 * speed))
           return;
-        const Vector reactions = component.inverse * gaps / -kick;
+        const Column reactions = component.inverse * gaps / -kick;
         for (unsigned int k = 0; k < size; ++k)
           {
             Prescribed  &q     = *component.constraints[k];

@@ -83,19 +83,8 @@ namespace Morsel::Study
   {
     if (is_fracture_scene(scene_file, overrides))
       return parameters_of_plate(scene_file, overrides, "prm");
-    const std::string text = Scene::print_parameters(
-        Scene::ParameterFormat::prm, scene_file, overrides);
-    try
-      {
-        // With the catalogue's values.
-        return Scene::read_scene(scene_file, overrides).used_parameters;
-      }
-    catch (const InputError &)
-      {
-        // All entries are sound, so the mistake is of this run alone: it will
-        // say so itself.
-        return text;
-      }
+    // With the catalogue's values.
+    return Scene::read_scene(scene_file, overrides).used_parameters;
   }
 
 

@@ -23,6 +23,7 @@ namespace
                                        "particle_steps_per_second",
                                        "peak_memory",
                                        "rank_count",
+                                       "repartitions",
                                        "rank_busy_time",
                                        "rank_busy_time_largest",
                                        "rank_imbalance",

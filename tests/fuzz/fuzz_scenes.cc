@@ -292,7 +292,8 @@ namespace
           << "\nprocessor time [s]: " << outcome.processor_time
           << "\nmemory [B]: " << outcome.memory << "\n--- standard output\n"
           << outcome.output << "--- standard error\n"
-          << outcome.errors;
+          << outcome.errors << "--- failed runs of a study\n"
+          << outcome.run_errors;
   }
 
 
@@ -331,6 +332,10 @@ namespace
              {"OMP_NUM_THREADS", "1"},
              {"OPENBLAS_NUM_THREADS", "1"}})
       ::setenv(name.c_str(), value.c_str(), 1);
+    // Sanitizers, unless told otherwise: what MPI leaves allocated is no
+    // finding, and undefined behaviour is to end the run.
+    ::setenv("ASAN_OPTIONS", "detect_leaks=0", 0);
+    ::setenv("UBSAN_OPTIONS", "print_stacktrace=1:halt_on_error=1", 0);
   }
 
 

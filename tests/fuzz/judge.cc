@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <sstream>
 
 namespace Fuzz
 {
@@ -48,6 +49,62 @@ namespace Fuzz
     }
 
 
+    bool
+    is_promised(const int status)
+    {
+      const std::array<int, 4> promised = {{0, 2, 3, 4}};
+      return std::count(promised.begin(), promised.end(), status) > 0;
+    }
+
+
+    /// What an address, thread or undefined behaviour sanitizer has reported,
+    /// on the process or on the runs of a study; the first line of it.
+    std::string
+    report_of_sanitizer(const Outcome &outcome)
+    {
+      for (const std::string &line :
+           split_lines(outcome.errors + "\n" + outcome.run_errors))
+        if (contains(line, "ERROR: AddressSanitizer") ||
+            contains(line, "WARNING: ThreadSanitizer") ||
+            contains(line, ": runtime error: "))
+          return line;
+      return "";
+    }
+
+
+    /// The address sanitizer's operator new() ends the process where else an
+    /// exception is thrown and the status is 4.
+    bool
+    tells_of_memory_used_up(const std::string &report)
+    {
+      return contains(report, "out of memory") ||
+             contains(report, "exceeds maximum supported size");
+    }
+
+
+    /// Runs of a study that ended as no run may, by the lines that the study
+    /// writes about them.
+    std::string
+    complaint_on_runs(const Outcome &outcome)
+    {
+      for (const std::string &line :
+           split_lines(outcome.output + "\n" + outcome.errors))
+        for (const std::string failed : {": failed, ", " failed with "})
+          if (const std::size_t at = line.find(failed); at != std::string::npos)
+            {
+              const std::string  why = line.substr(at + failed.size());
+              std::istringstream words(why);
+              std::string        word;
+              int                status = 0;
+              words >> word >> status;
+              if (word == "signal" ||
+                  (word == "status" && !is_promised(status)))
+                return "a run of it failed, " + why;
+            }
+      return "";
+    }
+
+
     /// Files that may not be written, or not at all.
     std::string
     complaint_on_files(const Outcome &outcome, const bool nothing_allowed)
@@ -71,6 +128,9 @@ namespace Fuzz
             const Outcome  &outcome,
             const bool      validated)
   {
+    if (const std::string report = report_of_sanitizer(outcome);
+        !report.empty())
+      return tells_of_memory_used_up(report) ? "" : report;
     if (outcome.killed)
       return outcome.interrupted ? "it did not end when interrupted"
                                  : "it took too long";
@@ -79,11 +139,11 @@ namespace Fuzz
     if (outcome.signal != 0)
       return "signal " + std::to_string(outcome.signal) + " ended it";
 
-    const std::array<int, 4> promised = {{0, 2, 3, 4}};
     const bool done = outcome.interrupted && outcome.status == 130;
-    if (!done &&
-        std::count(promised.begin(), promised.end(), outcome.status) == 0)
+    if (!done && !is_promised(outcome.status))
       return "exit status " + std::to_string(outcome.status);
+    if (const std::string text = complaint_on_runs(outcome); !text.empty())
+      return text;
     if (outcome.status != 0 && !done)
       if (const std::string text = complaint_on_message(outcome.errors);
           !text.empty())

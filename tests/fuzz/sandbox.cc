@@ -24,10 +24,6 @@ namespace Fuzz
     /// After SIGTERM, a run may take this long to write its last files [s].
     const double time_to_end = 30.;
 
-    /// A run is interrupted after this wall time, however little processor
-    /// time it shows: a study's is that of its children, which shows late [s].
-    const double longest_wait = 60.;
-
 
     void
     limit(const __rlimit_resource resource, const double value)
@@ -63,20 +59,31 @@ namespace Fuzz
     }
 
 
-    /// Of a process so far [s]: fields 14 and 15 of proc(5)'s stat.
+    /// Of a process, of its children that have ended and of those that run, so
+    /// far [s]: fields 14 to 17 of proc(5)'s stat.
     double
     processor_time_of(const pid_t process)
     {
-      std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-      std::string   text;
+      const std::string folder = "/proc/" + std::to_string(process);
+      std::ifstream     file(folder + "/stat");
+      std::string       text;
       std::getline(file, text);
       std::istringstream fields(text.substr(text.rfind(')') + 1));
       std::string        skipped;
       for (unsigned int i = 3; i < 14; ++i)
         fields >> skipped;
-      double user = 0., system = 0.;
-      fields >> user >> system;
-      return (user + system) / ::sysconf(_SC_CLK_TCK);
+      double sum = 0.;
+      for (unsigned int i = 14; i < 18; ++i)
+        {
+          double ticks = 0.;
+          fields >> ticks;
+          sum += ticks / ::sysconf(_SC_CLK_TCK);
+        }
+      std::ifstream children(folder + "/task/" + std::to_string(process) +
+                             "/children");
+      for (pid_t child; children >> child;)
+        sum += processor_time_of(child);
+      return sum;
     }
 
 
@@ -178,7 +185,7 @@ namespace Fuzz
                                std::chrono::steady_clock::now() - begin)
                                .count();
         if (limits.patience > 0. && !was_interrupted &&
-            (processor_time_of(child) > limits.patience || age > longest_wait))
+            processor_time_of(child) > limits.patience)
           {
             was_interrupted = true;
             interrupted_at  = age;
@@ -226,6 +233,9 @@ namespace Fuzz
           outcome.changes.push_back("written: " + name);
         else if (old->second != state)
           outcome.changes.push_back("changed: " + name);
+        // A study keeps what its failed runs have said.
+        if (old == before.end() && fs::path(name).extension() == ".messages")
+          outcome.run_errors += read_file(path);
       }
     for (const auto &[path, state] : before)
       if (after.count(path) == 0)

@@ -40,7 +40,8 @@ namespace Fuzz
     double                   processor_time = 0.;    ///< [s]
     double                   memory         = 0.;    ///< resident, largest [B]
     std::string              output, errors;         ///< what it wrote
-    std::vector<std::string> changes; ///< files written, changed, removed
+    std::string              run_errors; ///< what runs of a study wrote
+    std::vector<std::string> changes;    ///< files written, changed, removed
   };
 
 

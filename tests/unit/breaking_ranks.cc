@@ -168,6 +168,32 @@ namespace
   }
 
 
+  /// The body as it is, its particles on other ranks: those at the top
+  /// right take @p factor times as much as the others, as is said.
+  std::unique_ptr<SPH::Solid>
+  shared_out_anew(SPH::Solid         &solid,
+                  const Scene::Scene &s,
+                  const unsigned int  factor)
+  {
+    const auto               &p = solid.get_particles();
+    std::vector<unsigned int> work(p.n_owned, 1);
+    for (unsigned int i = 0; i < p.n_owned; ++i)
+      if (p.reference[i][0] + p.reference[i][1] > n * spacing)
+        work[i] = factor;
+    StateArchive saved;
+    solid.exchange_state(saved);
+    auto other =
+        std::make_unique<SPH::Solid>(s.particle_bodies[0],
+                                     s,
+                                     MPI_COMM_WORLD,
+                                     solid.get_host().work_in_cells(work));
+    StateArchive loaded({std::move(saved).buffer()}, MPI_COMM_WORLD);
+    other->exchange_state(loaded);
+    BOOST_TEST(loaded.at_end());
+    return other;
+  }
+
+
   struct Course
   {
     std::string  growth;
@@ -237,6 +263,60 @@ BOOST_AUTO_TEST_CASE(grains_of_several_ranks)
 BOOST_AUTO_TEST_CASE(explicit_flaws)
 {
   follow({"Grady-Kipp", &tearing, 150, 0.02, 1e-9});
+}
+
+
+BOOST_AUTO_TEST_CASE(particles_change_ranks)
+{
+  const Scene::Scene s = scene("energy softening");
+  auto               solid =
+      std::make_unique<SPH::Solid>(s.particle_bodies[0], s, MPI_COMM_WORLD);
+  SPH::Solid alone = SPH::make_solid(s);
+  set_velocities(*solid, &crushing);
+  set_velocities(alone, &crushing);
+  const double dt = alone.stable_time_step(0.);
+  for (unsigned int step = 0; step < 150; ++step)
+    {
+      take_step(*solid, dt);
+      take_step(alone, dt);
+      if (step % 40 == 20)
+        {
+          const double before = solid->get_host().n_owned();
+          solid = shared_out_anew(*solid, s, step == 20 ? 20 : step / 20);
+          const double moved = solid->get_host().maximum(
+              std::abs(before - solid->get_host().n_owned()));
+          if (step == 20 && !solid->get_host().is_alone())
+            BOOST_TEST(moved > 10.);
+        }
+    }
+  BOOST_TEST(alone.failed_share() > 0.2);
+  solid->compute_accelerations(dt);
+  alone.compute_accelerations(dt);
+  check_equal(*solid, alone, 1e-7);
+}
+
+
+BOOST_AUTO_TEST_CASE(broken_food_takes_more_work)
+{
+  const Scene::Scene s     = scene("energy softening");
+  SPH::Solid         alone = SPH::make_solid(s);
+  set_velocities(alone, &tearing);
+  const double dt = alone.stable_time_step(0.);
+  for (unsigned int step = 0; step < 150; ++step)
+    take_step(alone, dt);
+  const auto &p    = alone.get_particles();
+  const auto  work = alone.work_of_particles();
+  BOOST_REQUIRE_EQUAL(work.size(), p.n_owned);
+  unsigned long long of_cells = 0, of_all = 0;
+  for (const unsigned int w : alone.get_host().work_in_cells(work))
+    of_cells += w;
+  for (unsigned int i = 0; i < p.n_owned; ++i)
+    {
+      of_all += work[i];
+      // A grain has no bonds, but neighbours.
+      BOOST_TEST(work[i] >= (p.failed[i] ? 50 : 100));
+    }
+  BOOST_TEST(of_cells == of_all);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

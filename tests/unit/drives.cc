@@ -239,7 +239,7 @@ BOOST_AUTO_TEST_CASE(turned_body_yields_as_in_its_own_frame)
     p.density        = 1000.;
     p.held           = {FE::PlateSide::bottom};
     return std::make_unique<QuasiStaticDeformation>(
-        std::make_unique<FE::ElasticBody>(std::move(mesh), p));
+        std::make_unique<FE::ElasticBody>(std::move(mesh), p), MPI_COMM_SELF);
   };
   Frame turned_frame;
   turned_frame.angle = 0.7;

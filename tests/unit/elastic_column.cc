@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(auto_chooses_by_stiffness_and_period)
         plate.motion.velocity *= speed / 0.05;
       }
     const auto &plate = scene.plate_bodies[1];
-    return choose_response(scene, plate, *make_elastic_body(scene, plate), 1)
+    return choose_response(scene, plate, *make_elastic_body(scene, plate))
         .response;
   };
   // The plate yields by a fifth of the food at the same modulus: 1 % at 20 E.

@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(uniform_pressure_crosses_the_contact_exactly)
         const double foot_error =
             stress_error(*body, by_foot, 1e7 * depth / dp);
 
-        Jaw::QuasiStaticDeformation deformation(std::move(body));
+        Jaw::QuasiStaticDeformation deformation(std::move(body), MPI_COMM_SELF);
         Contact::AveragedGap        contact(law, row_of(dp), {});
         contact.compute(x, motion, n, 1e-7, surface);
         unsigned int rounds = 0;

@@ -55,7 +55,15 @@ BOOST_AUTO_TEST_CASE(what_is_added_is_found_in_the_file)
   summary.add("step_count", 12., "1", "Steps");
   summary.add("step_count", 13., "1", "Steps");
   summary.add("zero_error", 3., "J", "With its own error", 0., 0.5);
-  summary.add_effect({"damage", true, "the scene asks for it", 1.5});
+  summary.add_effect({"damage",
+                      true,
+                      "the scene asks for it",
+                      "damage and broken bonds",
+                      true,
+                      "nothing breaks",
+                      1.5,
+                      0.25});
+  summary.add_effect({"friction", false, "", "contact"});
   summary.add_part("time loop", 2.5);
   summary.add_text("scene", "peanut \xff with a byte that is not UTF-8");
 
@@ -70,6 +78,11 @@ BOOST_AUTO_TEST_CASE(what_is_added_is_found_in_the_file)
   BOOST_CHECK(!read["step_count"].contains("reference"));
   BOOST_CHECK_EQUAL(read["zero_error"]["error"], 0.5);
   BOOST_CHECK_EQUAL(read["effects"][0]["name"], "damage");
+  BOOST_CHECK_EQUAL(read["effects"][0]["share"], 0.25);
+  BOOST_CHECK_EQUAL(read["effects"][0]["without"], "nothing breaks");
+  BOOST_CHECK_EQUAL(read["effects"][0]["part"], "damage and broken bonds");
+  BOOST_CHECK_EQUAL(read["effects"][1]["wall_time"], 0.);
+  BOOST_CHECK(!read["effects"][1].contains("part"));
   BOOST_CHECK_EQUAL(read["parts"][0]["wall_time"], 2.5);
   BOOST_CHECK(read["text"].contains("scene"));
   BOOST_CHECK(summary.has("step_count") && !summary.has("damage"));

@@ -280,7 +280,7 @@ BOOST_AUTO_TEST_CASE(the_same_failure_leads_further_back)
   const Finding finding{Finding::Kind::energy, "", "", ""};
   for (unsigned long long step = 0; step <= 20000; ++step)
     if (control.wants_state(step))
-      control.keep({"", "", 1e-6 * step, step, 1e-6});
+      control.keep({{}, "", "", 1e-6 * step, step, 1e-6});
   const Moment first{20100e-6, 20100, 1e-6, 1e-5};
   const auto  *state = control.retry(finding, first);
   BOOST_REQUIRE(state);
@@ -300,9 +300,9 @@ BOOST_AUTO_TEST_CASE(a_later_failure_begins_anew)
 {
   StepControl   control(10);
   const Finding finding{Finding::Kind::energy, "", "", ""};
-  control.keep({"", "", 0., 0, 1e-6});
+  control.keep({{}, "", "", 0., 0, 1e-6});
   BOOST_TEST(control.retry(finding, {1e-3, 1000, 1e-6, 1e-5})->step == 0u);
-  control.keep({"", "", 2e-3, 4000, 0.5e-6});
+  control.keep({{}, "", "", 2e-3, 4000, 0.5e-6});
   BOOST_TEST(control.retry(finding, {3e-3, 6000, 0.5e-6, 1e-5})->step == 4000u);
 }
 
@@ -312,7 +312,7 @@ BOOST_AUTO_TEST_CASE(no_more_retries_than_allowed)
   const Finding finding{Finding::Kind::energy, "", "", ""};
   StepControl   none(0), two(2);
   for (StepControl *control : {&none, &two})
-    control->keep({"", "", 0., 0, 1e-6});
+    control->keep({{}, "", "", 0., 0, 1e-6});
   const Moment moment{1e-5, 10, 1e-4, 1e-6};
   BOOST_TEST(!none.retry(finding, moment));
   BOOST_TEST(two.retry(finding, moment));

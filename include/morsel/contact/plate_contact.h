@@ -172,12 +172,12 @@ namespace Morsel::Contact
     std::vector<double>       distance_of_near; ///< then [m]
     double                    energy = 0., heat = 0., penetration = 0.;
 
-    /// By how far a facet may have come nearer since the search [m]; not a
-    /// number if that is not known.
+    /// By how far a facet may have come nearer to the particle at hand since
+    /// the search [m].
     double
     approach() const
     {
-      return particles_moved + nodes_moved;
+      return approached;
     }
 
   private:
@@ -186,9 +186,16 @@ namespace Morsel::Contact
               double                     time_step,
               Surface                   &surface);
 
-    /// By how far a node has moved since the search [m].
-    double
-    farthest_node(const Surface &surface) const;
+    /// How the surface has moved since the search.
+    struct SurfaceMotion
+    {
+      dealii::Tensor<1, 2> drift;          ///< of all nodes, the mean [m]
+      double               farthest  = 0.; ///< of a node [m]
+      double               deviation = 0.; ///< of a node from the drift [m]
+    };
+
+    SurfaceMotion
+    motion_of(const Surface &surface) const;
 
     template <typename Position>
     void
@@ -207,11 +214,11 @@ namespace Morsel::Contact
     std::vector<dealii::Point<2>> searched_at, searched_nodes;
     std::vector<dealii::Point<2>> position; ///< of the candidates
     MovementWatch                 watch;
-    /// Since the search, at most [m].
-    double                     nodes_moved = 0., particles_moved = 0.;
-    std::vector<ParticleForce> forces;
-    double                     heat_before = 0.;
-    double                     slipping_mass;
+    SurfaceMotion                 moved;
+    double                        approached = 0.; ///< see approach()
+    std::vector<ParticleForce>    forces;
+    double                        heat_before = 0.;
+    double                        slipping_mass;
 
     dealii::Tensor<1, 2>
     spring_friction(unsigned int                particle,

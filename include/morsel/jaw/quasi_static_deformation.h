@@ -16,8 +16,11 @@ namespace Morsel::Jaw
   class QuasiStaticDeformation : public Deformation
   {
   public:
+    /// @param communicator of the ranks that share the food; each has the
+    ///   whole body. Collective, as is settle().
     /// @pre held
-    explicit QuasiStaticDeformation(std::unique_ptr<FE::ElasticBody> body);
+    QuasiStaticDeformation(std::unique_ptr<FE::ElasticBody> body,
+                           MPI_Comm                         communicator);
 
     void
     add_to(Contact::Surface &surface) const override;
@@ -40,11 +43,9 @@ namespace Morsel::Jaw
     void
     advance(double time_step) override;
 
+    /// On the first rank, zero on others.
     double
-    strain_energy() const override
-    {
-      return 0.5 * force.dot(w);
-    }
+    strain_energy() const override;
 
     Eigen::VectorXd
     displacement() const override;
@@ -61,8 +62,12 @@ namespace Morsel::Jaw
   private:
     using TouchLists = std::vector<const Contact::Touches *>;
 
-    void
-    make_columns(const TouchLists &touches);
+    /// On the surface's nodes, by all ranks.
+    Eigen::VectorXd
+    forces_of_all_ranks(const Contact::Surface &surface) const;
+
+    Contact::Touches
+    touches_of_all_ranks(const TouchLists &touches) const;
 
     void
     make_columns(unsigned int node);
@@ -72,15 +77,16 @@ namespace Morsel::Jaw
 
     /// Whether the matrix at hand covers all nodes that are touched.
     bool
-    covers(const TouchLists &touches) const;
+    covers(const Contact::Touches &touches) const;
 
     void
-    make_matrix(const TouchLists &touches);
+    make_matrix(const Contact::Touches &touches);
 
     /// That of the nodes touched, from their contact stiffness.
     void
     factorise_matrix();
 
+    const MPI_Comm   communicator;
     FE::Multifrontal factors;
     /// By node, component: the displacement of all nodes under a unit force
     /// [m/N]; empty for those never touched.

@@ -14,8 +14,15 @@ namespace Morsel::Output
   {
     std::string name; ///< for people: "hourglass control"
     bool        on = false;
-    std::string reason;         ///< who asked for it
-    double      wall_time = 0.; ///< [s]
+    std::string reason; ///< who asked for it
+    /// The part of the run that takes its time, see Summary::add_part().
+    std::string part = {};
+    /// Whether that part does nothing else, so that its time is known.
+    bool fills_part = false;
+    /// What comes out without it, of a study that is named; or nothing.
+    std::string without   = {};
+    double      wall_time = 0.; ///< [s], where it is known
+    double      share     = 0.; ///< of the loop's wall time [1]
   };
 
 
@@ -29,9 +36,10 @@ namespace Morsel::Output
   /// Each scalar result stands at the top level under its snake_case name as
   /// {"value", "unit", "meaning"}, with "reference" and "error" where a
   /// reference is known. Beside them stand the reserved keys "effects" (a list
-  /// of {"name", "on", "reason", "wall_time"}), "parts" (wall time of the
-  /// run's parts, {"name", "wall_time"}) and "text" (name: text; versions,
-  /// hashes, the scene's title).
+  /// of {"name", "on", "reason", "wall_time", "share"} with "part" and
+  /// "without" where they are known), "parts" (wall time of the run's parts,
+  /// {"name", "wall_time"}) and "text" (name: text; versions, hashes, the
+  /// scene's title).
   class Summary
   {
   public:

@@ -109,6 +109,12 @@ namespace Morsel::SPH
       return failed_area / total_area;
     }
 
+    /// Adds what growth takes of each particle in a step, and takes away the
+    /// bonded work of what has failed.
+    /// @param of_particles in hundredths of what a bonded particle takes
+    void
+    add_work(std::vector<unsigned int> &of_particles) const;
+
     /// Without the fields of the particles.
     void
     exchange_state(StateArchive &state);

@@ -33,7 +33,7 @@ namespace dealii
 namespace Morsel::SPH
 {
   /// What a step takes in each cell of a body's background mesh, in hundredths
-  /// of what a sound particle takes: by it the cells are shared among the
+  /// of what a bonded particle takes: by it the cells are shared among the
   /// ranks. Empty: by the number of particles.
   using CellWork = std::vector<unsigned int>;
 

@@ -28,14 +28,17 @@ namespace Morsel::SPH
 
     /// Finds the points of other ranks that this rank's need, and who needs
     /// this rank's. Both ranks of a pair agree about it.
-    /// @param own points of this rank, in the order of the grid's sorted()
+    /// @param own points of this rank that others may need
     /// @param all that this rank may ever take part with
-    /// @param grid of the points, whose cells are no smaller than @p reach
+    /// @param seeking points of this rank that need others', in the order of
+    ///   the grid's sorted()
+    /// @param grid of these, whose cells are no smaller than @p reach
     /// @param reach within which points need each other [m]
     /// @param margin by which all may move until is_near_others() is asked [m]
     void
     find(const std::vector<dealii::Point<2>> &own,
          const std::vector<dealii::Point<2>> &all,
+         const std::vector<dealii::Point<2>> &seeking,
          const CellGrid                      &grid,
          double                               reach,
          double                               margin);

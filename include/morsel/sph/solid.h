@@ -165,7 +165,7 @@ namespace Morsel::SPH
     }
 
     /// What a step takes for each of the owned particles, as modelled, in
-    /// hundredths of a sound one's.
+    /// hundredths of a bonded one's.
     std::vector<unsigned int>
     work_of_particles() const;
 

@@ -125,6 +125,11 @@ namespace Morsel::SPH
     }
 
   private:
+    /// Stiffness of a held facet over that of a layer as thick as the facet
+    /// is long; multipliers take away what it yields, the faster the stiffer
+    /// it is.
+    static constexpr double penalty = 1e3;
+
     /// A prescribed sum_j weight_j.u_j.
     struct Constraint
     {
