@@ -253,21 +253,18 @@ namespace Morsel::Study
     }
 
 
+    const std::string resolution_entry = "Study/Resolution";
+
+
     /// The formulas of results, with the entry that each stands in.
     std::vector<std::pair<std::string, std::string>>
     result_formulas(const Study &study)
     {
       std::vector<std::pair<std::string, std::string>> formulas;
-      bool                                             truth = false;
       for (const Quantity &quantity : study.quantities)
-        {
-          formulas.emplace_back("Quantity " + quantity.name + "/Expression",
-                                quantity.expression);
-          truth = truth || quantity.truth != "none";
-        }
-      // Without errors nobody asks what they are drawn against.
-      if (truth)
-        formulas.emplace_back("Study/Resolution", study.resolution);
+        formulas.emplace_back("Quantity " + quantity.name + "/Expression",
+                              quantity.expression);
+      formulas.emplace_back(resolution_entry, study.resolution);
       formulas.emplace_back("Study/Time", study.time_result);
       return formulas;
     }
@@ -306,9 +303,14 @@ namespace Morsel::Study
         return;
     if (finished.empty())
       return;
+    // Without errors nobody asks what they are drawn against.
+    const bool has_truth = std::any_of(
+        study.quantities.begin(),
+        study.quantities.end(),
+        [](const Quantity &quantity) { return quantity.truth != "none"; });
     for (const auto &[path, formula] : result_formulas(study))
       for (const std::string &name : names_in(formula))
-        if (known.count(name) == 0)
+        if (known.count(name) == 0 && (has_truth || path != resolution_entry))
           throw InputError(study.place_of(path) + " names '" + name +
                            "', which no run gives." +
                            did_you_mean(name, {known.begin(), known.end()}) +
