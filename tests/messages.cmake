@@ -158,5 +158,9 @@ add_ranks_test(crack_outside "crack" ${cracked_plate} --set
 add_ranks_test(kink_in_enrichment "smaller enrichment radius" ${cracked_plate} --set
                "Cracks/Paths=0, 0.005 > 0.0008, 0.005 > 0.0018, 0.0052" --set
                "Stress intensity/Formula=none")
+add_ranks_test(updated_lagrangian "'updated Lagrangian', which runs on one rank only"
+               ${CMAKE_SOURCE_DIR}/prm/sph/tension_block_updated.prm)
+add_ranks_test(static_particles "static solution runs on one rank"
+               ${CMAKE_SOURCE_DIR}/prm/sph/beam_static.prm)
 add_ranks_test(solver_of_one_rank "works on one rank only" ${cracked_plate} --set
                XFEM/Solver=umfpack)
