@@ -132,6 +132,14 @@ add_message_test(print_json 0 "\"entry\": \"Young's modulus\"" --print-parameter
 add_message_test(print_of_scene 0 "set Young's modulus += 23900000" --print-parameters
                  prm ${peanut})
 add_message_test(validate 0 "." --validate ${peanut})
+add_message_test(study_validate 0 "Study 'm1_convergence_b' is sound: 15 runs"
+                 --validate ${CMAKE_SOURCE_DIR}/prm/studies/fracture/m1_convergence_b.prm)
+add_message_test(collection_validate 0 "Collection 'thesis_quick' is sound: [0-9]+ studies"
+                 --validate ${CMAKE_SOURCE_DIR}/prm/studies/thesis/thesis_quick.prm)
+add_message_test(study_parameters 0 "set Side by side"
+                 --print-parameters prm ${CMAKE_SOURCE_DIR}/prm/studies/fracture/m1_convergence_b.prm)
+add_message_test(collection_parameters 0 "set Parts"
+                 --print-parameters prm ${CMAKE_SOURCE_DIR}/prm/studies/thesis/thesis_quick.prm)
 add_message_test(plate_validate 0 "Unknowns +7610" --validate ${m1})
 add_message_test(plate_validate_adaptive 0 "about .* unknowns after 3 adaptive" --validate
                  ${m1} --set "XFEM/Adaptive steps=3")

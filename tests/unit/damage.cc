@@ -5,6 +5,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -268,6 +269,40 @@ BOOST_AUTO_TEST_CASE(thresholds_depend_on_seed_and_index_alone)
   // Seeds s and indices shifted alike must not give the same field.
   for (unsigned int i = 1; i < n; ++i)
     BOOST_TEST(weibull_threshold(8., 8, i - 1) != forwards[i]);
+}
+
+
+BOOST_AUTO_TEST_CASE(explicit_flaws_are_handed_out_until_all_have_one)
+{
+  const unsigned int n     = 2000;
+  const double       m     = 8.;
+  const auto         flaws = explicit_flaws(m, 3, n);
+  // Drawn at random, n ln n + 0.577 n of them do (coupon collector's problem),
+  // with a standard deviation of 1.28 n.
+  const double expected = n * (std::log(1. * n) + 0.5772);
+  BOOST_TEST(std::abs(flaws.threshold.size() - expected) < 4. * 1.28 * n);
+  unsigned int last = 0;
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      BOOST_REQUIRE(flaws.count(i) >= 1u);
+      last += flaws.count(i) == 1 &&
+              flaws.threshold[flaws.first[i]] ==
+                  std::pow(1. * flaws.threshold.size() / n, 1. / m);
+      BOOST_TEST(std::is_sorted(flaws.threshold.begin() + flaws.first[i],
+                                flaws.threshold.begin() + flaws.first[i + 1]));
+      BOOST_TEST(flaws.activated(i, 0.) == 0u);
+      BOOST_TEST(flaws.activated(i, 1e3) == flaws.count(i));
+    }
+  // The last one went to a particle that had none.
+  BOOST_TEST(last == 1u);
+  // n s^m thresholds lie below s, as Weibull's law has it.
+  for (const double s : {0.7, 0.9, 1.})
+    {
+      unsigned int below = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        below += flaws.activated(i, s);
+      BOOST_TEST(std::abs(below - n * std::pow(s, m)) <= 1.);
+    }
 }
 
 

@@ -1,6 +1,13 @@
+#include <morsel/core/errors.h>
 #include <morsel/jaw/prescribed_motion.h>
 
 #include <boost/test/unit_test.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include <unistd.h>
 
 using namespace Morsel::Jaw;
 
@@ -17,6 +24,27 @@ namespace
     motion.approach        = 4e-4;
     motion.approach_factor = 5.;
     return motion;
+  }
+
+
+  /// A table that is read from a file with this text.
+  MotionTable
+  table_of(const std::string &text)
+  {
+    const std::string file =
+        (std::filesystem::temp_directory_path() /
+         ("morsel_motion_" + std::to_string(::getpid()) + ".csv"))
+            .string();
+    std::ofstream(file) << text;
+    struct Removal
+    {
+      std::string file;
+      ~Removal()
+      {
+        std::filesystem::remove(file);
+      }
+    } const removal{file};
+    return read_motion_table(file);
   }
 } // namespace
 
@@ -64,6 +92,57 @@ BOOST_AUTO_TEST_CASE(delay_is_what_the_displacement_lacks)
     }
   BOOST_TEST(with_approach().delay() < 0.);
   BOOST_TEST(MotionParameters().delay() == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(tables_are_read_with_their_separators)
+{
+  // A head, comments, the separators of spreadsheets; the motion begins with
+  // the first line.
+  const auto table = table_of("t,x,y,angle\n# of the jaw\n"
+                              "0.5, 1, 2, 10\n0.6; 1.5; 2; 40\n"
+                              "\n0.7 1 3 100\n0.9\t1\t2\t10\n");
+  BOOST_REQUIRE_EQUAL(table.time.size(), 4u);
+  BOOST_TEST(table.time[1] == 0.6);
+  BOOST_TEST(table.shift_x[1] == 0.5);
+  BOOST_TEST(table.shift_y[2] == 1.);
+  BOOST_TEST(table.shift_y[3] == 0.);
+  BOOST_TEST(table.angle[2] == 0.5 * dealii::numbers::PI,
+             boost::test_tools::tolerance(1e-14));
+
+  MotionParameters motion;
+  motion.kind  = "table";
+  motion.table = table;
+  BOOST_TEST(motion.turns());
+  // Its fastest way between two lines: back from (1, 3) to (1, 2) takes 0.2 s,
+  // from (1.5, 2) to (1, 3) 0.1 s.
+  BOOST_TEST(motion.typical_velocity()[0] == -5.,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(motion.typical_velocity()[1] == 10.,
+             boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(mistakes_in_tables_are_told)
+{
+  const std::string good = "0 0 0\n1 0 0\n2 0 0\n3 0 0\n";
+  BOOST_TEST(table_of(good).time.size() == 4u);
+  for (const auto &[text, reason] : std::map<std::string, std::string>{
+           {good + "4 0\n", "line 5 is not 't x y' or 't x y angle'"},
+           {good + "4 0 0 0 0\n", "line 5 is not 't x y'"},
+           {good + "4 0 north\n", "line 5 is not 't x y'"},
+           {good + "2.5 0 0\n", "line 5: times must increase"},
+           {"0 0 0\n1 0 0\n", "it has 2 lines of numbers; give at least 4"},
+           {"", "it has 0 lines of numbers"}})
+    BOOST_CHECK_EXCEPTION(table_of(text),
+                          Morsel::InputError,
+                          [reason = reason](const auto &error) {
+                            return std::string(error.what()).find(reason) == 0;
+                          });
+  BOOST_CHECK_EXCEPTION(
+      read_motion_table("/dev/zero"),
+      Morsel::InputError,
+      [](const auto &error) {
+        return std::string(error.what()).find("there is no file") == 0;
+      });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <memory>
+#include <tuple>
 
 using namespace Morsel;
 
@@ -199,6 +201,107 @@ BOOST_AUTO_TEST_CASE(forces_and_reactions_are_in_balance)
     }
   BOOST_TEST(sum.norm() < 1e-9);
   BOOST_TEST(results.solve.residual < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(conditions_reach_as_far_as_their_boxes)
+{
+  Scene::BodyShape shape;
+  shape.lower_corner = Point<2>(0., 0.);
+  shape.upper_corner = Point<2>(2., 1.);
+  const auto solved  = [&](const bool turned) {
+    // A traction on a part of the top that ends within particles' cells, a
+    // force on the particles in the middle, a clamp on a part of the bottom;
+    // or the particles at one end held and those at the other one moved.
+    Scene::Scene scene = scene_of(shape, 20, "lattice", 0.);
+    scene.depth        = 0.1;
+    const auto in_box  = [&](const double x0, const double x1) {
+      scene.conditions.back().box.lower_corner = Point<2>(x0, 0.25);
+      scene.conditions.back().box.upper_corner = Point<2>(x1, 0.75);
+    };
+    if (turned)
+      {
+        add(scene, "box", "displacement");
+        in_box(0., 0.2);
+        add(scene, "box", "displacement", "1e-3; 2e-3");
+        in_box(1.8, 2.);
+      }
+    else
+      {
+        add(scene, "bottom", "clamp");
+        in_box(0., 1.);
+        add(scene, "top", "traction", "1; -3");
+        in_box(0.53, 1.17);
+        add(scene, "box", "force", "2; 0");
+        in_box(1.2, 1.8);
+      }
+    auto body =
+        std::make_unique<SPH::StaticBody>(scene, scene.particle_bodies[0]);
+    body->run();
+    return std::pair(scene, std::move(body));
+  };
+
+  const auto  loaded = solved(false);
+  const auto &forces = loaded.second->get_results().forces;
+  BOOST_REQUIRE_EQUAL(forces.size(), 3u);
+  Tensor<1, 2> sum;
+  for (const SPH::ConditionForce &f : forces)
+    {
+      sum += f.force;
+      if (f.condition == 1)
+        BOOST_TEST((f.force - 0.1 * 0.64 * Tensor<1, 2>({1., -3.})).norm() <
+                   1e-12);
+      if (f.condition == 2)
+        BOOST_TEST((f.force - Tensor<1, 2>({2., 0.})).norm() < 1e-12);
+    }
+  BOOST_TEST(sum.norm() < 1e-9);
+
+  // What is in the boxes is where it was put, the rest between.
+  const auto  moved = solved(true);
+  const auto &body  = *moved.second;
+  for (unsigned int i = 0; i < body.get_cloud().size(); ++i)
+    {
+      const Point<2>    &x = body.get_cloud().points[i];
+      const Tensor<1, 2> u = body.get_displacement()[i];
+      if (x[1] < 0.25 || x[1] > 0.75)
+        continue;
+      if (x[0] < 0.2)
+        BOOST_TEST(u.norm() < 1e-12);
+      else if (x[0] > 1.8)
+        BOOST_TEST((u - Tensor<1, 2>({1e-3, 2e-3})).norm() < 1e-12);
+      else
+        BOOST_TEST((u[0] > 0. && u[0] < 1e-3));
+    }
+  const auto &reactions = body.get_results().forces;
+  BOOST_REQUIRE_EQUAL(reactions.size(), 2u);
+  BOOST_TEST((reactions[0].force + reactions[1].force).norm() <
+             1e-9 * reactions[0].force.norm());
+  BOOST_TEST(reactions[1].force[0] > 0.);
+}
+
+
+BOOST_AUTO_TEST_CASE(boxes_that_reach_nothing_are_refused)
+{
+  Scene::BodyShape shape;
+  shape.lower_corner = Point<2>(0., 0.);
+  shape.upper_corner = Point<2>(2., 1.);
+  for (const auto &[where, kind, reason] :
+       std::vector<std::tuple<std::string, std::string, std::string>>{
+           {"top", "traction", "loads nothing of body 'part'"},
+           {"box", "force", "its box holds no particle"},
+           {"top", "clamp", "holds nothing of body 'part'"},
+           {"box", "displacement", "holds nothing of body 'part'"}})
+    {
+      Scene::Scene scene = scene_of(shape, 20, "lattice", 0.);
+      add(scene, where, kind);
+      scene.conditions.back().box.lower_corner = Point<2>(3., 0.);
+      scene.conditions.back().box.upper_corner = Point<2>(4., 1.);
+      BOOST_CHECK_EXCEPTION(SPH::StaticBody(scene, scene.particle_bodies[0]),
+                            InputError,
+                            [reason = reason](const auto &error) {
+                              return std::string(error.what()).find(reason) !=
+                                     std::string::npos;
+                            });
+    }
 }
 
 BOOST_AUTO_TEST_CASE(lames_cylinder)
