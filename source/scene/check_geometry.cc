@@ -90,6 +90,11 @@ namespace Morsel::Scene
     }
 
 
+    /// A side shorter than this share of the other has no length for what is
+    /// done with outlines.
+    constexpr double least_side = 1e-8;
+
+
     void
     check_rectangle(const Rectangle   &shape,
                     const std::string &section,
@@ -114,6 +119,14 @@ namespace Morsel::Scene
                             "the size is " + number_text(shape.extent(d)) +
                                 " m; lengths are in metres, 10 mm are 0.01.");
         }
+      const auto [less, more] = std::minmax({shape.extent(0), shape.extent(1)});
+      if (!(less > least_side * more))
+        findings.mistake(section + "/" + entry,
+                         "the sides, " + number_text(shape.extent(0)) +
+                             " m and " + number_text(shape.extent(1)) +
+                             " m, are too different: one may be " +
+                             number_text(1. / least_side) +
+                             " times as long as the other.");
     }
 
 
