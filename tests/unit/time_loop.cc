@@ -12,9 +12,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <thread>
 
 using namespace Morsel;
 
@@ -416,6 +418,16 @@ BOOST_AUTO_TEST_CASE(only_good_states_are_saved)
        std::filesystem::directory_iterator("time_loop_test/checkpoint"))
     n_lists += entry.path().extension() == ".json";
   BOOST_TEST(n_lists == 1u);
+}
+
+
+BOOST_AUTO_TEST_CASE(a_loop_that_is_set_up_again_is_the_same_loop)
+{
+  RunLog log("", true, false);
+  log.begin_loop();
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  log.begin_loop();
+  BOOST_TEST(log.loop_wall_time() >= 0.02);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <deque>
 #include <fstream>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -113,18 +114,20 @@ namespace Morsel
     void
     exchange_state(StateArchive &state);
 
-    /// From here on the run's loop counts, see loop_wall_time().
+    /// From here on the run's loop counts, see loop_wall_time(); a run that
+    /// is set up again in between goes on with the same loop.
     void
     begin_loop()
     {
-      loop_begin = wall_time();
+      if (!loop_begin)
+        loop_begin = wall_time();
     }
 
     /// Seconds since begin_loop().
     double
     loop_wall_time() const
     {
-      return wall_time() - loop_begin;
+      return wall_time() - loop_begin.value_or(0.);
     }
 
     /// Writes the table of parts, with shares of the whole.
@@ -147,18 +150,18 @@ namespace Morsel
 
     using Clock = std::chrono::steady_clock;
 
-    std::ofstream     file;
-    std::string       before_file; ///< what was logged before it was opened
-    bool              to_terminal;
-    bool              active;
-    bool              live_line_allowed;
-    bool              live_line_shown = false;
-    Clock::time_point begin;
-    double            seconds_before = 0.; ///< of the run that goes on
-    double            loop_begin     = 0.; ///< [s]
-    Clock::time_point progress_begin;
-    Clock::time_point last_shown;
-    int               last_tenth = -1;
+    std::ofstream         file;
+    std::string           before_file; ///< what was logged before it was opened
+    bool                  to_terminal;
+    bool                  active;
+    bool                  live_line_allowed;
+    bool                  live_line_shown = false;
+    Clock::time_point     begin;
+    double                seconds_before = 0.; ///< of the run that goes on
+    std::optional<double> loop_begin;          ///< [s]
+    Clock::time_point     progress_begin;
+    Clock::time_point     last_shown;
+    int                   last_tenth = -1;
     /// When progress began; of a run that goes on not zero.
     double             first_fraction = -1.;
     unsigned long long first_step     = 0;
