@@ -144,6 +144,16 @@ BOOST_AUTO_TEST_CASE(used_parameters_reproduce_the_scene)
 }
 
 
+BOOST_AUTO_TEST_CASE(the_smallest_numbers_are_written_back)
+{
+  // Below the smallest normal double.
+  const Scene::Scene scene = Scene::read_scene(
+      peanut, {"Body food/Material/Poisson's ratio=4.9e-324"});
+  BOOST_TEST(scene.used_parameters.find("4.94065645841247e-324") !=
+             std::string::npos);
+}
+
+
 BOOST_AUTO_TEST_CASE(scaled_mass_keeps_the_kinetic_energy_below_its_share)
 {
   BOOST_TEST(Scene::read_scene(peanut).time.inertia_factor == 1.);
