@@ -4,12 +4,11 @@
 #include <morsel/scene/complete.h>
 #include <morsel/scene/lists.h>
 #include <morsel/scene/read.h>
+#include <morsel/scene/write_back.h>
 
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <sstream>
 
 namespace Morsel::Scene
 {
@@ -26,11 +25,6 @@ namespace Morsel::Scene
       /// @param with_calibration whether there is a section "Calibration",
       ///   which is no part of a run.
       Declaration(const NamedParts &parts, bool with_calibration);
-
-      /// Writes derived values back, so that the printed parameters
-      /// reproduce the run.
-      void
-      write_back();
 
       Scene                            scene;
       std::string                      pairs;
@@ -195,95 +189,6 @@ namespace Morsel::Scene
     }
 
 
-    /// All digits that a number needs to be read back unchanged.
-    std::string
-    exact_text(const double value)
-    {
-      std::ostringstream text;
-      text.precision(15);
-      text << value;
-      if (std::strtod(text.str().c_str(), nullptr) != value)
-        {
-          text.str("");
-          text.precision(17);
-          text << value;
-        }
-      return text.str();
-    }
-
-
-    void
-    Declaration::write_back()
-    {
-      prm.set("Name", scene.name);
-      const auto point_text = [](const dealii::Point<2> &p) {
-        return exact_text(p[0]) + ", " + exact_text(p[1]);
-      };
-      prm.enter_subsection("Domain");
-      prm.set("Lower corner", point_text(scene.domain.lower_corner));
-      prm.set("Upper corner", point_text(scene.domain.upper_corner));
-      prm.leave_subsection();
-
-      for (const ParticleBody &body : scene.particle_bodies)
-        {
-          // Copies, since setting an entry sets the bound member, too.
-          const Materials::MaterialParameters material = body.material;
-          const Materials::DamageParameters   damage   = body.damage;
-          const std::string                   mesh     = body.shape.mesh_file;
-          prm.enter_subsection("Body " + body.name);
-          prm.enter_subsection("Shape");
-          prm.set("Mesh file", mesh);
-          prm.leave_subsection();
-          prm.enter_subsection("Material");
-          prm.set("Density", exact_text(material.density));
-          prm.set("Young's modulus", exact_text(material.youngs_modulus));
-          prm.set("Poisson's ratio", exact_text(material.poissons_ratio));
-          prm.set("Toughness", exact_text(material.toughness));
-          prm.set("Compressive strength",
-                  exact_text(material.compressive_strength));
-          prm.leave_subsection();
-          prm.enter_subsection("Damage");
-          prm.set("Flaws", damage.flaws);
-          prm.set("Correlation length", exact_text(damage.correlation_length));
-          prm.set("Weibull modulus", exact_text(damage.weibull_modulus));
-          prm.set("Strength ratio", exact_text(damage.strength_ratio));
-          prm.set("Fracture energy", exact_text(damage.fracture_energy));
-          prm.set("Threshold factor", exact_text(damage.threshold_factor));
-          prm.leave_subsection();
-          prm.leave_subsection();
-        }
-
-      for (const PlateBody &body : scene.plate_bodies)
-        if (const std::string table = body.motion.table_file; !table.empty())
-          {
-            prm.enter_subsection("Body " + body.name);
-            prm.enter_subsection("Motion");
-            prm.set("Table file", table);
-            prm.leave_subsection();
-            prm.leave_subsection();
-          }
-      for (const PlateBody &body : scene.plate_bodies)
-        if (body.shape.is_mesh())
-          {
-            const PlateShape shape = body.shape;
-            prm.enter_subsection("Body " + body.name);
-            prm.enter_subsection("Shape");
-            prm.set("Lower corner", point_text(shape.lower_corner));
-            prm.set("Upper corner", point_text(shape.upper_corner));
-            prm.set("Mesh file", shape.mesh_file);
-            prm.leave_subsection();
-            prm.leave_subsection();
-          }
-
-      std::string list;
-      for (const ContactPair &pair : scene.contact_pairs)
-        list += (list.empty() ? "" : ", ") + pair.food + ":" + pair.plate;
-      prm.enter_subsection("Contact");
-      prm.set("Pairs", list);
-      prm.leave_subsection();
-    }
-
-
     std::vector<ParameterEntry>
     read_entries(const std::string              &file_name,
                  const std::vector<std::string> &overrides)
@@ -336,7 +241,7 @@ namespace Morsel::Scene
     Scene &scene   = declaration.scene;
     scene.warnings = check_scene(scene, entries, file_name);
 
-    declaration.write_back();
+    write_back(declaration.scene, declaration.prm);
     scene.used_parameters = parameters_as_prm(declaration.prm, false);
     scene.parameters_hash = text_hash(scene.used_parameters);
     return scene;
@@ -391,7 +296,7 @@ namespace Morsel::Scene
         complete_scene(
             declaration.scene, declaration.pairs, file_name, entries);
         check_scene(declaration.scene, entries, file_name);
-        declaration.write_back();
+        write_back(declaration.scene, declaration.prm);
       }
     switch (format)
       {
