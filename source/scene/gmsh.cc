@@ -1,15 +1,12 @@
 #include <morsel/core/errors.h>
-#include <morsel/core/sentences.h>
 #include <morsel/scene/gmsh.h>
+#include <morsel/scene/mesh_words.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace Morsel::Scene
 {
@@ -17,105 +14,6 @@ namespace Morsel::Scene
 
   namespace
   {
-    /// Numbers of physical groups and entities stay far from deal.II's own
-    /// marks.
-    const unsigned long largest_tag = 1000000000;
-
-
-    /// The words of a file, one after the other.
-    class Words
-    {
-    public:
-      explicit Words(const std::string &file)
-          : name(file)
-          , stream(file)
-      {}
-
-      /// False at the end of the file.
-      bool
-      next(std::string &word)
-      {
-        while (!(line >> word))
-          {
-            std::string text;
-            if (!std::getline(stream, text))
-              return false;
-            ++number;
-            line.clear();
-            line.str(text);
-          }
-        return true;
-      }
-
-      void
-      skip_line()
-      {
-        line.str("");
-      }
-
-      /// @param what a whole number is expected here, "a node's number"
-      unsigned long
-      whole(const std::string &what)
-      {
-        const std::string word = expect(what);
-        if (word.empty() || word.size() > 10 ||
-            word.find_first_not_of("0123456789") != std::string::npos ||
-            std::stoul(word) > largest_tag)
-          refuse(word, what);
-        return std::stoul(word);
-      }
-
-      double
-      coordinate()
-      {
-        const std::string word  = expect("a coordinate");
-        char             *end   = nullptr;
-        const double      value = std::strtod(word.c_str(), &end);
-        // Beyond this, areas are no longer numbers.
-        if (*end != '\0' || !(std::abs(value) <= 1e100))
-          refuse(word, "a coordinate");
-        return value;
-      }
-
-      void
-      expect_word(const std::string &expected)
-      {
-        const std::string word = expect("'" + expected + "'");
-        if (word != expected)
-          refuse(word, "'" + expected + "'");
-      }
-
-      [[noreturn]] void
-      refuse(const std::string &word, const std::string &what) const
-      {
-        fail("has '" + presentable(word) + "' where " + what + " is expected");
-      }
-
-      [[noreturn]] void
-      fail(const std::string &what) const
-      {
-        throw InputError("line " + std::to_string(number) + " of the mesh '" +
-                         name + "' " + what + ".");
-      }
-
-    private:
-      std::string
-      expect(const std::string &what)
-      {
-        std::string word;
-        if (!next(word))
-          throw InputError("the mesh '" + name + "' ends where " + what +
-                           " is expected.");
-        return word;
-      }
-
-      const std::string  name;
-      std::ifstream      stream;
-      std::istringstream line;
-      unsigned int       number = 0;
-    };
-
-
     /// What the sections of a file have told so far.
     class Reader
     {
@@ -155,7 +53,7 @@ namespace Morsel::Scene
       void
       add_cell(const std::vector<unsigned int> &corners, unsigned long group);
 
-      Words         words;
+      MeshWords     words;
       std::string   file;
       unsigned long version = 0;
       GmshMesh      mesh;
