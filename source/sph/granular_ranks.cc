@@ -1,4 +1,4 @@
-// Unbonded pairs of particles of different ranks.
+// Unbonded pairs of particles of different ranks, and the work of each.
 
 #include <morsel/sph/granular.h>
 
@@ -9,6 +9,13 @@ namespace Morsel::SPH
 {
   namespace
   {
+    /// What unbonded pairs take, in hundredths of a bonded particle's work
+    /// (measured, doc/performance.md): for each member of the list and each
+    /// grain, and in a row for each slot of its group and each live pair.
+    constexpr unsigned int work_of_member = 50, work_of_grain = 65,
+                           work_of_slot = 6, work_of_live_pair = 10;
+
+
     struct Rates
     {
       GrainMotion motion;
@@ -122,5 +129,25 @@ namespace Morsel::SPH
           motion[n + f]        = state.motion;
           member_stress[n + f] = state.stress;
         });
+  }
+
+
+  void
+  Granular::add_work(std::vector<unsigned int> &of_particles) const
+  {
+    for (const Block &block : blocks)
+      {
+        for (unsigned int r = 0; r < block.n_rows; ++r)
+          {
+            const unsigned int g = r / group_size;
+            of_particles[members[block.row[r]]] +=
+                work_of_slot * (block.slot_begin[g + 1] - block.slot_begin[g]);
+          }
+        for (unsigned int m = block.first; m < block.last; ++m)
+          of_particles[members[m]] +=
+              work_of_member + (member_failed[m] ? work_of_grain : 0) +
+              work_of_live_pair * (block.live_start[m - block.first + 1] -
+                                   block.live_start[m - block.first]);
+      }
   }
 } // namespace Morsel::SPH
