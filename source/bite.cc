@@ -27,11 +27,11 @@ namespace Morsel
       , log(log)
   {
     for (unsigned int s = 0; s < scene.particle_bodies.size(); ++s)
-      solids.push_back(std::make_unique<SPH::Solid>(
-          scene.particle_bodies[s],
-          scene,
-          communicator,
-          partition.empty() ? SPH::CellWork() : partition[s]));
+      solids.push_back(
+          std::make_unique<SPH::Solid>(scene.particle_bodies[s],
+                                       scene,
+                                       communicator,
+                                       part_of_body(partition, s)));
     std::vector<std::unique_ptr<FE::ElasticBody>> elastic;
     make_plates(elastic);
     make_pairs();

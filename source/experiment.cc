@@ -49,10 +49,7 @@ namespace Morsel
           }
         else
           solids.push_back(std::make_unique<SPH::Solid>(
-              body,
-              scene,
-              communicator,
-              partition.empty() ? SPH::CellWork() : partition[b]));
+              body, scene, communicator, part_of_body(partition, b)));
         conditions.emplace_back(scene, body, *solids.back());
         automatic_step =
             std::min(automatic_step, solids.back()->stable_time_step(0.));

@@ -215,13 +215,11 @@ namespace Morsel
   void
   LiveRun<System, Recorder>::move_to(const Partition &better)
   {
-    const auto timer = log.section("repartitioning");
-    RunState   now   = state();
-    partition        = better;
+    const auto               timer = log.section("repartitioning");
+    std::vector<std::string> of_system(1, saved_state(*system)),
+        of_recorder(1, saved_state(*recorder));
+    partition = better;
     renew();
-    std::vector<std::string> of_system, of_recorder;
-    of_system.push_back(std::move(now.system));
-    of_recorder.push_back(std::move(now.recorder));
     StateArchive system_archive(std::move(of_system), communicator),
         recorder_archive(std::move(of_recorder), communicator);
     system->exchange_state(system_archive);

@@ -47,10 +47,13 @@ namespace Morsel
   void
   RankLoad::exchange_state(StateArchive &state)
   {
-    std::vector<double> of_ranks = busy;
-    state.same(of_ranks, intervals);
-    if (of_ranks.size() == busy.size())
-      busy = of_ranks;
+    std::vector<double>   of_ranks = busy;
+    std::vector<Interval> before   = intervals;
+    state.same(of_ranks, before);
+    if (of_ranks.size() != busy.size())
+      return;
+    busy      = of_ranks;
+    intervals = before;
   }
 
 

@@ -13,6 +13,13 @@ namespace Morsel
   using Partition = std::vector<SPH::CellWork>;
 
 
+  inline SPH::CellWork
+  part_of_body(const Partition &partition, const unsigned int body)
+  {
+    return partition.empty() ? SPH::CellWork() : partition[body];
+  }
+
+
   /// All of a run between two steps, in memory.
   struct RunState
   {

@@ -11,12 +11,18 @@ namespace Morsel::Jaw
 
 
   Eigen::VectorXd
-  nodal_forces(const Contact::Surface &surface, const dealii::Tensor<2, 2> &R)
+  nodal_forces(const Contact::Surface     &surface,
+               const dealii::Tensor<2, 2> &R,
+               const MPI_Comm              communicator)
   {
     Eigen::VectorXd f(2 * surface.force.size());
     for (unsigned int k = 0; k < surface.force.size(); ++k)
       for (unsigned int d = 0; d < 2; ++d)
         f[2 * k + d] = (dealii::transpose(R) * surface.force[k])[d];
+    dealii::Utilities::MPI::sum(
+        dealii::ArrayView<const double>(f.data(), f.size()),
+        communicator,
+        dealii::ArrayView<double>(f.data(), f.size()));
     return f;
   }
 
@@ -102,12 +108,8 @@ namespace Morsel::Jaw
   DynamicDeformation::account(const Contact::Surface &surface,
                               const DriveKick        &drive)
   {
-    Eigen::VectorXd f = nodal_forces(surface, R);
-    dealii::Utilities::MPI::sum(
-        dealii::ArrayView<const double>(f.data(), f.size()),
-        communicator,
-        dealii::ArrayView<double>(f.data(), f.size()));
-    outer_loads = body->trace().transpose() * f;
+    outer_loads =
+        body->trace().transpose() * nodal_forces(surface, R, communicator);
     const auto drive_acceleration =
         (drive.velocity_after - drive.velocity_before) / drive.kick;
     for (unsigned int c = 0; c < 2; ++c)

@@ -64,19 +64,6 @@ namespace Morsel::Jaw
   }
 
 
-  Eigen::VectorXd
-  QuasiStaticDeformation::forces_of_all_ranks(
-      const Contact::Surface &surface) const
-  {
-    Eigen::VectorXd f = nodal_forces(surface, R);
-    dealii::Utilities::MPI::sum(
-        dealii::ArrayView<const double>(f.data(), f.size()),
-        communicator,
-        dealii::ArrayView<double>(f.data(), f.size()));
-    return f;
-  }
-
-
   Contact::Touches
   QuasiStaticDeformation::touches_of_all_ranks(const TouchLists &touches) const
   {
@@ -191,7 +178,7 @@ namespace Morsel::Jaw
                                  const double      time_step)
   {
     ++evaluations;
-    const Eigen::VectorXd f = forces_of_all_ranks(surface);
+    const Eigen::VectorXd f = nodal_forces(surface, R, communicator);
     for (unsigned int k = 0; k < compliance.size(); ++k)
       if (f[2 * k] != 0. || f[2 * k + 1] != 0.)
         make_columns(k);

@@ -24,17 +24,6 @@ namespace Morsel::Measure
     }
 
 
-    /// Sums of all ranks, in place.
-    void
-    add_ranks(const SPH::DeformableBody &body,
-              double *const              values,
-              const unsigned int         n)
-    {
-      if (body.ranks())
-        body.ranks()->sum(dealii::ArrayView<double>(values, n));
-    }
-
-
     /// Where the four neighbours of each particle within an even lattice stand.
     class LatticeNeighbours
     {
@@ -156,7 +145,7 @@ namespace Morsel::Measure
         sums[0] += (t.*component - mean) * (t.*component - mean);
         sums[1] += t.xx * t.xx + t.yy * t.yy + 2. * t.xy * t.xy;
       });
-      add_ranks(body, sums, 2);
+      body.sum_over_ranks(dealii::make_array_view(sums));
       return sums[1] > 0. ? std::sqrt(sums[0] / sums[1]) : 0.;
     };
     return {noise(&Materials::PlaneStrainStress::xx),
@@ -188,7 +177,7 @@ namespace Morsel::Measure
       sums[1] += s.xx;
       sums[2] += s.yy;
     });
-    add_ranks(body, sums, 3);
+    body.sum_over_ranks(dealii::make_array_view(sums));
     InteriorStress result;
     result.count = sums[0];
     if (result.count == 0)
@@ -201,7 +190,7 @@ namespace Morsel::Measure
       squares[0] += dx * dx / result.count;
       squares[1] += dy * dy / result.count;
     });
-    add_ranks(body, squares, 2);
+    body.sum_over_ranks(dealii::make_array_view(squares));
     result.deviation_xx = std::sqrt(squares[0]);
     result.deviation_yy = std::sqrt(squares[1]);
     return result;
@@ -228,7 +217,7 @@ namespace Morsel::Measure
       sums[0] += x * x + y * y;
       sums[1] += 1.;
     });
-    add_ranks(body, sums, 2);
+    body.sum_over_ranks(dealii::make_array_view(sums));
     return sums[1] > 0. ? std::sqrt(sums[0] / sums[1]) : 0.;
   }
 

@@ -6,18 +6,6 @@
 
 namespace Morsel::Measure
 {
-  namespace
-  {
-    /// Of all ranks, in place.
-    void
-    add_ranks(const SPH::DeformableBody &body, double *values, unsigned int n)
-    {
-      if (body.ranks())
-        body.ranks()->sum(dealii::ArrayView<double>(values, n));
-    }
-  } // namespace
-
-
   Probe::Probe(const SPH::DeformableBody &body, const dealii::Point<2> &point)
       : body(&body)
   {
@@ -60,7 +48,7 @@ namespace Morsel::Measure
         s[0] += w.value * v.x;
         s[1] += w.value * v.y;
       }
-    add_ranks(*body, s, 2);
+    body->sum_over_ranks(dealii::make_array_view(s));
     return {s[0], s[1]};
   }
 
@@ -97,7 +85,7 @@ namespace Morsel::Measure
         s[2] += w.value * t.xy;
         s[3] += w.value * t.zz;
       }
-    add_ranks(*body, s, 4);
+    body->sum_over_ranks(dealii::make_array_view(s));
     return {s[0], s[1], s[2], s[3]};
   }
 

@@ -57,12 +57,6 @@ namespace Morsel::SPH
       }
     };
 
-    double
-    sum_over_ranks(const DeformableBody &solid, const double part)
-    {
-      return solid.ranks() ? solid.ranks()->sum(part) : part;
-    }
-
 
     /// Where a particle stands among those across a side, from the edge
     /// inwards, and along it. Identities are row-major in the lattice.
@@ -132,7 +126,7 @@ namespace Morsel::SPH
             loaded.push_back({i, p.mass[i], {0., 0.}});
         if (condition.kind == "force")
           {
-            const double count = sum_over_ranks(solid, loaded.size());
+            const double count = solid.sum_over_ranks(loaded.size());
             for (Loaded &l : loaded)
               l.share = 1. / count;
           }
@@ -153,7 +147,7 @@ namespace Morsel::SPH
         loaded.push_back({i, share, {0., 0.}});
         sum += share;
       }
-    sum           = sum_over_ranks(solid, sum);
+    sum           = solid.sum_over_ranks(sum);
     double length = body.shape.extent(1 - d);
     if (condition.has_box())
       length = std::min(condition.box.upper_corner[1 - d],

@@ -6,6 +6,21 @@
 
 namespace Morsel::SPH
 {
+  double
+  DeformableBody::sum_over_ranks(const double part) const
+  {
+    return ranks() ? ranks()->sum(part) : part;
+  }
+
+
+  void
+  DeformableBody::sum_over_ranks(const dealii::ArrayView<double> &parts) const
+  {
+    if (ranks())
+      ranks()->sum(parts);
+  }
+
+
   SolidEnergies
   Solid::energies() const
   {

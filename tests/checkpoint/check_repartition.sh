@@ -30,6 +30,9 @@ rm -rf run
 on 2 --set "Output/Checkpoint interval=2e-3"
 expect $? 0 "two ranks with checkpoints"
 "$compare" whole_on_two run || complain "checkpoints change the results"
+change="$(sed -n 's/.*changed ranks.* step \([0-9]*\)\.$/\1/p' run/run.log | head -1)"
+saved="$(basename "$(newest_list run)" .json)"
+[ $((10#${saved#step_})) -gt "$change" ] || complain "no checkpoint after the change"
 cp -r run with_checkpoints
 
 on 2 --resume

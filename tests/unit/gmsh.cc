@@ -2,16 +2,13 @@
 // are turned to the left, groups are kept, and every mistake in a file is told
 // with its line.
 #include "sentences.h"
+#include "text_file.h"
 
 #include <morsel/core/errors.h>
 #include <morsel/scene/gmsh.h>
 
 #include <boost/test/unit_test.hpp>
 
-#include <filesystem>
-#include <fstream>
-
-#include <unistd.h>
 
 using namespace Morsel;
 
@@ -47,20 +44,7 @@ namespace
   Scene::GmshMesh
   read(const std::string &text)
   {
-    const std::string file =
-        (std::filesystem::temp_directory_path() /
-         ("morsel_gmsh_" + std::to_string(::getpid()) + ".msh"))
-            .string();
-    std::ofstream(file) << text;
-    struct Removal
-    {
-      std::string file;
-      ~Removal()
-      {
-        std::filesystem::remove(file);
-      }
-    } const removal{file};
-    return Scene::read_gmsh(file);
+    return Scene::read_gmsh(TextFile(text, ".msh").name);
   }
 
 

@@ -1,13 +1,12 @@
 #include <morsel/core/errors.h>
 #include <morsel/jaw/prescribed_motion.h>
 
+#include "text_file.h"
+
 #include <boost/test/unit_test.hpp>
 
-#include <filesystem>
-#include <fstream>
 #include <map>
 
-#include <unistd.h>
 
 using namespace Morsel::Jaw;
 
@@ -31,20 +30,7 @@ namespace
   MotionTable
   table_of(const std::string &text)
   {
-    const std::string file =
-        (std::filesystem::temp_directory_path() /
-         ("morsel_motion_" + std::to_string(::getpid()) + ".csv"))
-            .string();
-    std::ofstream(file) << text;
-    struct Removal
-    {
-      std::string file;
-      ~Removal()
-      {
-        std::filesystem::remove(file);
-      }
-    } const removal{file};
-    return read_motion_table(file);
+    return read_motion_table(Morsel::TextFile(text, ".csv").name);
   }
 } // namespace
 

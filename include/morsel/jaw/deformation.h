@@ -131,11 +131,12 @@ namespace Morsel::Jaw
 
 
   /// Forces on a surface's nodes, in the frame of a body turned by R, in the
-  /// rows of FE::ElasticBody::trace().
+  /// rows of FE::ElasticBody::trace(): those of all ranks together. Collective.
   Eigen::VectorXd
   nodal_forces(
       const Contact::Surface     &surface,
-      const dealii::Tensor<2, 2> &R = dealii::unit_symmetric_tensor<2>());
+      const dealii::Tensor<2, 2> &R = dealii::unit_symmetric_tensor<2>(),
+      MPI_Comm                    communicator = MPI_COMM_SELF);
 
   /// A node's entries of such a vector, turned by R.
   inline dealii::Tensor<1, 2>

@@ -62,10 +62,6 @@ namespace Morsel::Jaw
   private:
     using TouchLists = std::vector<const Contact::Touches *>;
 
-    /// On the surface's nodes, by all ranks.
-    Eigen::VectorXd
-    forces_of_all_ranks(const Contact::Surface &surface) const;
-
     Contact::Touches
     touches_of_all_ranks(const TouchLists &touches) const;
 

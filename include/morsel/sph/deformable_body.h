@@ -5,6 +5,7 @@
 #include <morsel/materials/elasticity.h>
 #include <morsel/sph/particles.h>
 
+#include <deal.II/base/array_view.h>
 #include <deal.II/base/tensor.h>
 
 #include <memory>
@@ -122,6 +123,15 @@ namespace Morsel::SPH
     {
       return nullptr;
     }
+
+    /// @name Over all ranks, the array in place; collective.
+    ///@{
+    double
+    sum_over_ranks(double part) const;
+
+    void
+    sum_over_ranks(const dealii::ArrayView<double> &parts) const;
+    ///@}
 
     /// Saves or loads what changes from step to step, between advance() and
     /// the next compute_accelerations().
