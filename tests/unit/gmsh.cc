@@ -67,7 +67,7 @@ namespace
       }
     catch (const InputError &error)
       {
-        check_says(error.what(), {reason, "morsel_gmsh_"});
+        check_says(error.what(), {reason, "morsel_unit_"});
       }
   }
 } // namespace
