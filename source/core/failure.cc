@@ -1,6 +1,7 @@
 #include <morsel/core/errors.h>
 #include <morsel/core/failure.h>
 #include <morsel/core/sentences.h>
+#include <morsel/core/signals.h>
 #include <morsel/core/suggestions.h>
 
 #include <deal.II/base/exceptions.h>
@@ -175,6 +176,9 @@ namespace Morsel
       }
     catch (...)
       {
+        // The first rank that ends has mpirun send SIGTERM to the others, who
+        // would speak of an interruption beside the failure.
+        catch_signals();
         status = report(describe_current_exception(), communicator);
       }
     MPI_Comm_free(&communicator);
