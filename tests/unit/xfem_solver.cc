@@ -91,6 +91,23 @@ namespace
     p.adaptive_steps  = 3;
     return p;
   }
+
+
+  /// A crack that opens at a side which is pulled and shifted, so that the
+  /// displacements there jump where the side is cut, on hanging nodes.
+  PlateParameters
+  pulled_plate()
+  {
+    PlateParameters p = plate(15, 2);
+    p.paths           = "0.0047, 0.01 > 0.0052, 0.0061; 0, 0.0047 > "
+                        "0.0031, 0.0047";
+    p.tip_refinements = 1;
+    p.adaptive_steps  = 2;
+    p.traction[3]     = "0, 0";
+    p.support[3]      = "displacement";
+    p.displacement[3] = "1e-8, 3e-8";
+    return p;
+  }
 } // namespace
 
 
@@ -158,7 +175,7 @@ BOOST_AUTO_TEST_CASE(ranks_agree_with_one)
   symmetric.support[2]      = "free";
   symmetric.traction[2]     = "0, -1000";
   symmetric.adaptive_steps  = 4;
-  for (const auto &p : {two_cracks(), symmetric})
+  for (const auto &p : {two_cracks(), symmetric, pulled_plate()})
     {
       const auto alone = solve(p, "multifrontal");
       for (const std::string solver : {"multifrontal", "iterative"})

@@ -67,7 +67,7 @@ namespace Morsel::FE
     /// Prescribed displacement [m] on the given parts of the boundary, or
     /// the chosen components of it, imposed as the L2 projection on the trace
     /// of the enriched space, so that it may jump where a crack meets the
-    /// boundary. One rank only.
+    /// boundary. Collective.
     void
     prescribe(const std::set<dealii::types::boundary_id> &ids,
               const Field                                &displacement,
