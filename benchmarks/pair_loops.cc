@@ -2,6 +2,7 @@
 // granular loops, on one core with the widest vectors of the machine.
 
 #include <morsel/sph/bonds.h>
+#include <morsel/sph/conforming_weights.h>
 #include <morsel/sph/granular.h>
 #include <morsel/sph/pair_kernels.h>
 #include <morsel/sph/pair_loops.h>
@@ -36,6 +37,7 @@ namespace
         {
           const double x = spacing * (i % across), y = spacing * (i / across);
           const double u = 1e-3 * spacing * std::sin(50. * x + 90. * y);
+          p.id.push_back(p.reference.size());
           p.reference.emplace_back(x, y);
           p.motion.push_back({u, -u, 10. * u, 5. * u});
         }
@@ -91,7 +93,7 @@ namespace
       p.deficit.assign(p.n_owned, {0., 0., 0., 0.});
       p.fit.resize(p.n_owned);
       p.own_sum.resize(p.n_owned);
-      bonds.build_conforming(p, cloud, kernel);
+      bonds.build_conforming(p, {cloud, kernel}, kernel);
     }
 
     SPH::Particles        p;

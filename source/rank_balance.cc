@@ -9,9 +9,6 @@ namespace Morsel
 {
   namespace
   {
-    /// What it takes to set a run up, in its steps (doc/performance.md).
-    constexpr double steps_of_a_change = 200.;
-
     /// What a change has to save, relative.
     constexpr double least_gain = 0.02;
   } // namespace
@@ -56,7 +53,10 @@ namespace Morsel
       return {};
     const Work work = of_ranks(bodies);
     waited += (work.largest / work.mean - 1.) * steps_between_looks;
-    if (waited < steps_of_a_change)
+    double to_set_up = 0.;
+    for (const SPH::Solid *const body : bodies)
+      to_set_up = std::max(to_set_up, body->steps_to_set_up());
+    if (waited < to_set_up)
       return {};
     waited = 0.;
 

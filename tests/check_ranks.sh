@@ -6,14 +6,13 @@
 set -uo pipefail
 ranks="$1" expected="$2" pattern="$3"
 shift 3
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+on_ranks="$(realpath "$(dirname "${BASH_SOURCE[0]}")/on_ranks.sh")"
 
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 mkdir work && cd work
-timeout 50 mpirun -np "$ranks" --oversubscribe --mca mpi_yield_when_idle 1 "$@" \
-  >../message 2>&1
+timeout 50 "$on_ranks" "$ranks" "$@" >../message 2>&1
 status=$?
 
 complain()

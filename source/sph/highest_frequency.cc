@@ -2,8 +2,11 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
+#include <utility>
 
 namespace Morsel::SPH
 {
@@ -44,9 +47,32 @@ namespace Morsel::SPH
   } // namespace
 
 
+  Field
+  random_field(const std::vector<unsigned long long> &ids)
+  {
+    std::vector<unsigned int> order(ids.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+      return ids[a] < ids[b];
+    });
+    Field              field(ids.size());
+    std::mt19937       generator(1);
+    unsigned long long drawn = 0; // by particles so far
+    for (const unsigned int i : order)
+      {
+        generator.discard(2 * (ids[i] - drawn));
+        drawn      = ids[i] + 1;
+        field[i].x = generator() / 4294967295. - 0.5;
+        field[i].y = generator() / 4294967295. - 0.5;
+      }
+    return field;
+  }
+
+
   double
   square_of_highest_frequency(
       const std::function<void(const Field &, Field &)> &acceleration,
+      Field                                              start,
       const std::vector<double>                         &mass,
       const double                                       tolerance,
       const std::function<double(double)>               &sum)
@@ -55,13 +81,7 @@ namespace Morsel::SPH
       const double mine = product_of(a, b, mass);
       return sum ? sum(mine) : mine;
     };
-    Field        v(mass.size()), last(mass.size(), {0., 0.}), w(mass.size());
-    std::mt19937 generator(1);
-    for (Vector2 &x : v)
-      {
-        x.x = generator() / 4294967295. - 0.5;
-        x.y = generator() / 4294967295. - 0.5;
-      }
+    Field v(std::move(start)), last(mass.size(), {0., 0.}), w(mass.size());
     scale(1. / std::sqrt(product(v, v)), v);
 
     std::vector<double> diagonal, side;

@@ -48,9 +48,11 @@ namespace Morsel::SPH
         }
     };
     const double w2 = square_of_highest_frequency(
-        accelerations, mass, tolerance, [this](const double mine) {
-          return host.sum(mine);
-        });
+        accelerations,
+        random_field({particles.id.begin(), particles.id.begin() + n}),
+        mass,
+        tolerance,
+        [this](const double mine) { return host.sum(mine); });
 
     for (unsigned int i = 0; i < particles.n_local; ++i)
       {

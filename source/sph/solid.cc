@@ -85,13 +85,19 @@ namespace Morsel::SPH
     work(strain_loop, 0, n_boundary);
     const auto stresses    = dealii::make_array_view(particles.pair_stress);
     const auto stiffnesses = dealii::make_array_view(particles.hourglass);
+    const auto fits        = dealii::make_array_view(particles.fit_stress);
+    const bool conforming  = bonds.is_conforming();
     host.exchange_start(stresses);
     if (fracture)
       host.exchange_start(stiffnesses, stiffness_channel);
+    if (conforming)
+      host.exchange_start(fits, fit_channel);
     work(force_loop, n_boundary, n);
     host.exchange_finish(stresses);
     if (fracture)
       host.exchange_finish(stiffnesses, stiffness_channel);
+    if (conforming)
+      host.exchange_finish(fits, fit_channel);
     bonds.lattice.take_stress_of_ghosts(particles);
     work(force_loop, 0, n_boundary);
   }

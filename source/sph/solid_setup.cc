@@ -2,6 +2,7 @@
 #include <morsel/core/suggestions.h>
 #include <morsel/sph/body_cloud.h>
 #include <morsel/sph/body_cracks.h>
+#include <morsel/sph/conforming_weights.h>
 #include <morsel/sph/highest_frequency.h>
 #include <morsel/sph/solid.h>
 #include <morsel/sph/stable_step.h>
@@ -14,28 +15,69 @@ namespace Morsel::SPH
 {
   namespace
   {
-    void
-    require_one_rank(const Scene::ParticleBody &body,
-                     const MPI_Comm             communicator)
+    /// See doc/performance.md; every rank makes the cells of all particles.
+    double
+    steps_to_make(const Cloud &cloud, const unsigned int n_ranks)
     {
-      if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-        throw InputError("Body '" + body.name +
-                         "' takes the conforming gradient, which runs on one "
-                         "rank only: start the program without mpirun, or with "
-                         "'mpirun -np 1', or take 'Normalisation' = 'gradient "
-                         "matrix'.");
+      const double lattice = 200., cells = 100., relaxation = 15.;
+      return cloud.size() == 0
+                 ? lattice
+                 : lattice +
+                       n_ranks * (cells + relaxation * cloud.n_relaxations);
+    }
+
+
+    Kernel
+    kernel_of(const Scene::ParticleBody &body)
+    {
+      return {kernel_named(body.solid.kernel),
+              body.solid.smoothing_ratio * body.spacing};
     }
   } // namespace
+
+
+  struct Solid::Layout
+  {
+    Cloud cloud; ///< empty of a lattice that goes without cells
+    std::unique_ptr<const ConformingWeights> conforming;
+    double reach; ///< within which particles interact [m]
+
+    Layout(const Scene::ParticleBody &body, const unsigned int seed)
+        : reach(kernel_of(body).support())
+    {
+      const bool cells = normalisation_named(body.normalisation()) ==
+                         Normalisation::conforming;
+      if (!body.is_even_lattice() || cells)
+        cloud = body_cloud(body, seed);
+      if (!cells)
+        return;
+      conforming = std::make_unique<const ConformingWeights>(
+          cloud, kernel_of(body), visibility_in(body, cloud.points, reach));
+      reach = std::max(reach, conforming->reach);
+    }
+  };
 
 
   Solid::Solid(const Scene::ParticleBody &body,
                const Scene::Scene        &scene,
                const MPI_Comm             communicator,
                CellWork                   work)
+      : Solid(body,
+              scene,
+              communicator,
+              std::move(work),
+              Layout(body, scene.seed))
+  {}
+
+
+  Solid::Solid(const Scene::ParticleBody &body,
+               const Scene::Scene        &scene,
+               const MPI_Comm             communicator,
+               CellWork                   work,
+               const Layout              &layout)
       : depth(scene.depth)
       , cfl(body.solid.cfl)
-      , kernel(kernel_named(body.solid.kernel),
-               body.solid.smoothing_ratio * body.spacing)
+      , kernel(kernel_of(body))
       , material(body.material.youngs_modulus,
                  body.material.poissons_ratio,
                  scene.time.inertia_factor * body.material.density)
@@ -48,15 +90,13 @@ namespace Morsel::SPH
       , host(communicator,
              body.shape.lower_corner,
              body.shape.upper_corner,
-             kernel.support(),
+             layout.reach,
              body.spacing,
              std::move(work))
       , viscosity(body.solid.viscosity == "on" ||
                   (body.solid.viscosity == "auto" && body.damage.enabled))
   {
-    if (normalisation == Normalisation::conforming)
-      require_one_rank(body, communicator);
-    fill(body, scene.seed);
+    fill(body, layout, scene.seed);
     choose_loops(body);
     highest_frequency =
         normalisation == Normalisation::conforming
@@ -69,6 +109,8 @@ namespace Morsel::SPH
                                                        kernel.h),
                            3.4 * hourglass_stiffness /
                                (material.density * kernel.h * kernel.h));
+    set_up = steps_to_make(
+        layout.cloud, dealii::Utilities::MPI::n_mpi_processes(communicator));
     if (body.damage.enabled)
       make_breakable(body, scene);
     arrays = bonded_arrays(particles, bonds);
@@ -76,18 +118,17 @@ namespace Morsel::SPH
 
 
   void
-  Solid::fill(const Scene::ParticleBody &body, const unsigned int seed)
+  Solid::fill(const Scene::ParticleBody &body,
+              const Layout              &layout,
+              const unsigned int         seed)
   {
-    const double dp    = body.spacing;
-    const bool   cells = normalisation == Normalisation::conforming;
-    Cloud        cloud;
+    const double dp   = body.spacing;
     const bool   even = body.is_even_lattice();
-    if (!even || cells)
+    if (layout.cloud.size() > 0)
       {
-        cloud = body_cloud(body, seed);
-        std::vector<ParticleHost<2>::Index> ids(cloud.size());
+        std::vector<ParticleHost<2>::Index> ids(layout.cloud.size());
         std::iota(ids.begin(), ids.end(), ParticleHost<2>::Index(0));
-        host.insert(cloud.points, ids);
+        host.insert(layout.cloud.points, ids);
       }
     else
       host.insert_lattice(body.shape.lower_corner,
@@ -103,17 +144,15 @@ namespace Morsel::SPH
                           depth,
                           material.density);
     else
-      take_cells(cloud);
+      take_cells(layout.cloud);
     scatter_modulus(body, seed);
     allocate(body);
-    const Visibility visibility =
-        visibility_in(body, particles.reference, kernel.support());
-    if (cells)
-      bonds.build_conforming(particles, cloud, kernel, visibility);
+    if (layout.conforming)
+      bonds.build_conforming(particles, *layout.conforming, kernel);
     else
       bonds.build(particles,
                   kernel,
-                  visibility,
+                  visibility_in(body, particles.reference, kernel.support()),
                   {normalisation == Normalisation::gradient_matrix,
                    body.damage.enabled,
                    host.n_boundary()});
@@ -257,8 +296,11 @@ namespace Morsel::SPH
   double
   Solid::measured_highest_frequency()
   {
-    const PairKernels &kernels = pair_kernels();
-    const BondedArrays arrays  = bonded_arrays(particles, bonds);
+    const PairKernels        &kernels = pair_kernels();
+    const BondedArrays        arrays  = bonded_arrays(particles, bonds);
+    const unsigned int        n       = particles.n_owned;
+    const std::vector<double> mass(particles.mass.begin(),
+                                   particles.mass.begin() + n);
     // Small enough for the tangent, large enough for its round-off.
     const double size          = 1e-6 * particles.spacing;
     const auto   accelerations = [&](const std::vector<Vector2> &u,
@@ -266,22 +308,28 @@ namespace Morsel::SPH
       double largest = 0.;
       for (const Vector2 &v : u)
         largest = std::max({largest, std::abs(v.x), std::abs(v.y)});
-      const double scale = size / largest;
-      for (unsigned int i = 0; i < particles.n_owned; ++i)
+      const double scale = size / host.maximum(largest);
+      for (unsigned int i = 0; i < n; ++i)
         {
           particles.motion[i].u_x = scale * u[i].x;
           particles.motion[i].u_y = scale * u[i].y;
         }
-      const unsigned int n = particles.n_groups();
-      kernels.strain_conforming[linear_law][0](arrays, constants, 0, n);
+      const unsigned int groups = particles.n_groups();
+      host.exchange(particles.motion);
+      kernels.strain_conforming[linear_law][0](arrays, constants, 0, groups);
+      host.exchange(particles.pair_stress, particles.fit_stress);
       kernels.force_conforming[false][!particles.modulus.empty()](
-          arrays, constants, 0, n);
-      for (unsigned int i = 0; i < particles.n_owned; ++i)
+          arrays, constants, 0, groups);
+      for (unsigned int i = 0; i < n; ++i)
         a[i] = {particles.acceleration[i].x / scale,
                 particles.acceleration[i].y / scale};
     };
-    const double result =
-        square_of_highest_frequency(accelerations, particles.mass);
+    const double result = square_of_highest_frequency(
+        accelerations,
+        random_field({particles.id.begin(), particles.id.begin() + n}),
+        mass,
+        2e-3,
+        [this](const double mine) { return host.sum(mine); });
     for (Motion &m : particles.motion)
       m.u_x = m.u_y = 0.;
     particles.acceleration.assign(particles.n_local, {0., 0.});

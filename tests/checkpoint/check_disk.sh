@@ -8,7 +8,7 @@ often=(--set "Output/Checkpoint interval=1e-3")
 # A breaking peanut, to small/run: run_on_ranks RANKS [OPTION...]
 run_on_ranks()
 {
-  timeout 100 mpirun -np "$1" --oversubscribe --mca mpi_yield_when_idle 1 \
+  timeout 100 "$on_ranks" "$1" \
     "$morsel" --threads 1 --quiet --output small/run --set "Output/Fields=true" \
     --set "Time/End time=1e-4" "${@:2}" \
     "$(dirname "$scene")/breaking_ranks.prm" >message 2>&1

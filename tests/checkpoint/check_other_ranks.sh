@@ -3,17 +3,12 @@
 # round-off; and if one of two ranks is killed, the other does not hang.
 #   check_other_ranks.sh MORSEL COMPARE_RUNS SCENE
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
-two=(timeout 120 mpirun -np 2 --oversubscribe --mca mpi_yield_when_idle 1)
+two=(timeout 250 "$on_ranks" 2)
 
 run whole
 expect $? 0 "the whole run"
 
-"$morsel" --threads 1 --quiet --output run "$scene" >message 2>&1 &
-pid=$!
-wait_for_file run/history.csv
-sleep 0.1
-kill -TERM $pid
-wait $pid
+interrupt TERM 0.1
 expect $? 130 "one rank"
 cp -r run of_one
 "${two[@]}" "$morsel" --threads 1 --quiet --output run --resume "$scene" >message 2>&1
@@ -34,14 +29,17 @@ rm -rf run && mv of_two run
 expect $? 0 "on the same two ranks"
 
 # One of two is killed.
-rm -rf run
-"${two[@]}" "$morsel" --threads 1 --quiet --output run "$scene" >message 2>&1 &
-pid=$!
-wait_for_file run/history.csv
-sleep 0.1
-victim="$(pgrep -f -- "^$morsel --threads 1 --quiet --output run $scene" | tail -1)"
+for pause in 0.1 0.1 0.05 0; do
+  rm -rf run
+  "${two[@]}" "$morsel" --threads 1 --quiet --output run "$scene" >message 2>&1 &
+  pid=$!
+  wait_for_file run/history.csv
+  sleep $pause
+  victim="$(pgrep -f -- "^$morsel --threads 1 --quiet --output run $scene" | tail -1)"
+  [ -n "$victim" ] && kill -9 "$victim" && break
+  wait $pid
+done
 [ -n "$victim" ] || complain "there is no rank to kill"
-kill -9 "$victim"
 begin=$SECONDS
 wait $pid
 status=$?

@@ -7,7 +7,7 @@
 
 on()
 {
-  timeout 150 mpirun -np "$1" --oversubscribe --mca mpi_yield_when_idle 1 \
+  timeout 250 "$on_ranks" "$1" \
     "$morsel" --threads 1 --quiet --output run "${@:2}" "$scene" >message 2>&1
 }
 

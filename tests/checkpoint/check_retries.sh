@@ -11,13 +11,7 @@ expect $? 0 "the whole run"
 back="$(grep -o 'Back to time .*' whole/run.log)" || complain "no step was taken back"
 
 for pause in 0.3 0.1 0.03 0; do
-  rm -rf run
-  "$morsel" --threads 1 --quiet --output run "${large[@]}" "$scene" >message 2>&1 &
-  pid=$!
-  wait_for_file run/history.csv
-  sleep $pause
-  kill -TERM $pid
-  wait $pid
+  interrupt TERM $pause "${large[@]}"
   expect $? 130 "after SIGTERM"
   grep -q 'Back to time' run/run.log || break
 done

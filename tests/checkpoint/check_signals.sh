@@ -13,13 +13,7 @@ cmp -s whole/summary.json summary_before || complain "results were touched"
 
 # Each signal ends the run with a checkpoint, from which it goes on.
 for signal in INT TERM; do
-  rm -rf run
-  "$morsel" --threads 1 --quiet --output run "$scene" >message 2>&1 &
-  pid=$!
-  wait_for_file run/history.csv
-  sleep 0.3
-  kill -$signal $pid
-  wait $pid
+  interrupt $signal 0.3
   expect $? 130 "after SIG$signal"
   expect_message "^morsel: Interrupted .*--resume goes on from 'run/checkpoint/"
   run run --resume
@@ -44,7 +38,7 @@ rm -rf run
 pid=$!
 wait_for_file run/history.csv
 for _ in 1 2 3; do
-  sleep 0.15
+  sleep 0.1
   kill -USR1 $pid 2>/dev/null
 done
 wait $pid

@@ -3,7 +3,7 @@
 # and run in an empty folder that goes when they end.
 set -uo pipefail
 morsel="$1" compare="$2" scene="$3"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+on_ranks="$(realpath "$(dirname "${BASH_SOURCE[0]}")/../on_ranks.sh")"
 
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
@@ -43,6 +43,25 @@ wait_for_file()
     sleep 0.02
   done
   complain "there is no $1"
+}
+
+# Starts the scene into run/ and sends it a signal some seconds later, sooner if
+# it has ended before, as it may beside other work: interrupt SIGNAL SECONDS
+# [OPTION...]
+interrupt()
+{
+  for pause in "$2" 0.1 0.05 0; do
+    rm -rf run
+    "$morsel" --threads 1 --quiet --output run "${@:3}" "$scene" >message 2>&1 &
+    pid=$!
+    wait_for_file run/history.csv
+    sleep "$pause"
+    kill -"$1" $pid 2>/dev/null
+    wait $pid
+    status=$?
+    [ $status -eq 0 ] || break
+  done
+  return $status
 }
 
 newest_list()

@@ -13,8 +13,7 @@ folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 launcher=()
 if [ -n "${MPIRUN:-}" ]; then
-  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-  launcher=(mpirun -np "$MPIRUN" --oversubscribe --mca mpi_yield_when_idle 1)
+  launcher=("$(dirname "${BASH_SOURCE[0]}")/../on_ranks.sh" "$MPIRUN")
 fi
 timeout 100 "${launcher[@]}" "$morsel" --quiet --threads 1 --output "$folder/out" \
   "$@" >"$folder/message" 2>&1

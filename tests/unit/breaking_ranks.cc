@@ -46,11 +46,13 @@ namespace
   }
 
 
+  /// @param scatter of the particles, which then take the conforming gradient
   Scene::Scene
-  scene(const std::string &growth)
+  scene(const std::string &growth, const double scatter = 0.)
   {
     Scene::Scene scene          = SPH::scene_of_block(n, n, spacing, 0.3);
     auto        &body           = scene.particle_bodies.front();
+    body.scatter                = scatter;
     body.damage.enabled         = true;
     body.damage.growth          = growth;
     body.damage.weibull_modulus = 8.;
@@ -200,18 +202,20 @@ namespace
     Velocity     velocity;
     unsigned int n_steps;
     double       least_failed, tolerance;
+    double       scatter = 0.;
   };
 
 
   void
   follow(const Course &course)
   {
-    const Scene::Scene s = scene(course.growth);
+    const Scene::Scene s = scene(course.growth, course.scatter);
     SPH::Solid         solid(s.particle_bodies[0], s, MPI_COMM_WORLD);
     SPH::Solid         alone = SPH::make_solid(s);
     set_velocities(solid, course.velocity);
     set_velocities(alone, course.velocity);
-    const double dt       = alone.stable_time_step(0.);
+    const double dt = alone.stable_time_step(0.);
+    BOOST_CHECK_CLOSE(solid.stable_time_step(0.), dt, 1e-8);
     const auto   momentum = solid.momentum();
     const double before   = whole_energy(alone.energies());
     double       impulse  = 0.;
@@ -266,9 +270,17 @@ BOOST_AUTO_TEST_CASE(explicit_flaws)
 }
 
 
-BOOST_AUTO_TEST_CASE(particles_change_ranks)
+BOOST_AUTO_TEST_CASE(scattered_particles_with_the_conforming_gradient)
 {
-  const Scene::Scene s = scene("energy softening");
+  follow({"energy softening", &tearing, 150, 0.02, 1e-8, 0.2});
+  follow({"Grady-Kipp", &crushing, 150, 0.02, 1e-7, 0.2});
+}
+
+
+void
+change_ranks(const double scatter)
+{
+  const Scene::Scene s = scene("energy softening", scatter);
   auto               solid =
       std::make_unique<SPH::Solid>(s.particle_bodies[0], s, MPI_COMM_WORLD);
   SPH::Solid alone = SPH::make_solid(s);
@@ -293,6 +305,18 @@ BOOST_AUTO_TEST_CASE(particles_change_ranks)
   solid->compute_accelerations(dt);
   alone.compute_accelerations(dt);
   check_equal(*solid, alone, 1e-7);
+}
+
+
+BOOST_AUTO_TEST_CASE(particles_change_ranks)
+{
+  change_ranks(0.);
+}
+
+
+BOOST_AUTO_TEST_CASE(scattered_particles_change_ranks)
+{
+  change_ranks(0.2);
 }
 
 

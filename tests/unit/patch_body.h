@@ -1,6 +1,7 @@
 #ifndef morsel_tests_patch_body_h
 #define morsel_tests_patch_body_h
 
+#include <morsel/sph/conforming_weights.h>
 #include <morsel/sph/leapfrog.h>
 #include <morsel/sph/pair_kernels.h>
 #include <morsel/sph/pair_loops.h>
@@ -81,7 +82,7 @@ namespace Morsel::SPH
       p.fit_stress.assign(n, {0., 0., 0., 0.});
       if (is_conforming())
         {
-          bonds.build_conforming(p, cloud, kernel);
+          bonds.build_conforming(p, {cloud, kernel}, kernel);
           p.deficit.resize(n);
           p.fit.resize(n);
           p.own_sum.resize(n);

@@ -3,7 +3,6 @@
 
 #include <morsel/core/kernel.h>
 #include <morsel/core/state_archive_fwd.h>
-#include <morsel/sph/cloud.h>
 #include <morsel/sph/lattice_groups.h>
 #include <morsel/sph/neighbours.h>
 #include <morsel/sph/particles.h>
@@ -15,6 +14,9 @@
 
 namespace Morsel::SPH
 {
+  struct ConformingWeights;
+
+
   /// The bonds once more, in the order in which the kernels read them: slot s
   /// of a group holds one pair of each of its particles, and what is stored
   /// per pair stands at [s * group_size, (s + 1) * group_size). Rows that are
@@ -93,13 +95,13 @@ namespace Morsel::SPH
           const Visibility  &visibility = Visibility(),
           const BondOptions &options    = {});
 
-    /// The same with the conforming gradient.
-    /// @param cloud the particles' in their order, on one rank
+    /// The same with the conforming gradient, for all particles that this
+    /// rank knows, which go by their ids. Those of other ranks lack what no
+    /// owned particle takes part in.
     void
-    build_conforming(const Particles  &particles,
-                     const Cloud      &cloud,
-                     const Kernel     &kernel,
-                     const Visibility &visibility = Visibility());
+    build_conforming(const Particles         &particles,
+                     const ConformingWeights &whole,
+                     const Kernel            &kernel);
 
     bool
     is_conforming() const
@@ -209,6 +211,10 @@ namespace Morsel::SPH
     /// @param all also of regular groups
     void
     pack(const Particles &particles, unsigned int n_owned, bool all = true);
+
+    /// The same and what the conforming gradient has besides.
+    void
+    pack_conforming(const Particles &particles, const Kernel &kernel);
 
     /// Lays out a further quantity of the pairs.
     /// @param value of the entry k of row i, value(i, k)

@@ -4,6 +4,7 @@
 #include <morsel/core/particle_edges.h>
 #include <morsel/scene/scene.h>
 #include <morsel/sph/bonds.h>
+#include <morsel/sph/cloud.h>
 #include <morsel/sph/damage_evolution.h>
 #include <morsel/sph/deformable_body.h>
 #include <morsel/sph/granular.h>
@@ -31,7 +32,6 @@ namespace Morsel::SPH
     /// Fills the body's shape on the ranks of @p communicator, which share it
     /// by @p work, see ParticleHost. Particles that do not see each other past
     /// the body's cracks have no bond.
-    /// @throws InputError for effects that one rank alone can simulate.
     Solid(const Scene::ParticleBody &body,
           const Scene::Scene        &scene,
           MPI_Comm                   communicator,
@@ -169,6 +169,13 @@ namespace Morsel::SPH
     std::vector<unsigned int>
     work_of_particles() const;
 
+    /// What to make the body anew takes, in steps of it, as modelled.
+    double
+    steps_to_set_up() const
+    {
+      return set_up;
+    }
+
     bool
     has_viscosity() const
     {
@@ -188,12 +195,23 @@ namespace Morsel::SPH
     first_inverted() const override;
 
   private:
+    /// What has to be known of the whole body before ranks share it.
+    struct Layout;
+
+    Solid(const Scene::ParticleBody &body,
+          const Scene::Scene        &scene,
+          MPI_Comm                   communicator,
+          CellWork                   work,
+          const Layout              &layout);
+
     /// Waits for the motion of ghosts.
     void
     finish_motion();
 
     void
-    fill(const Scene::ParticleBody &body, unsigned int seed);
+    fill(const Scene::ParticleBody &body,
+         const Layout              &layout,
+         unsigned int               seed);
 
     /// Moduli of the body's grains, if they differ.
     void
@@ -250,6 +268,7 @@ namespace Morsel::SPH
     bool            viscosity;
     Leapfrog        leapfrog;
     double          highest_frequency = 0.; ///< its square [1/s^2]
+    double          set_up            = 0.; ///< [steps]
 
     BondedConstants     constants;
     BondedArrays        arrays{};
@@ -260,7 +279,8 @@ namespace Morsel::SPH
 
     /// Ghosts' motion is on its way since advance().
     bool                          motion_travels = false;
-    static constexpr unsigned int motion_channel = 1, stiffness_channel = 2;
+    static constexpr unsigned int motion_channel = 1, stiffness_channel = 2,
+                                  fit_channel = 3;
 
     std::unique_ptr<DamageEvolution> fracture;
     std::unique_ptr<Granular>        granular;
