@@ -81,6 +81,8 @@ namespace Morsel::SPH
     };
     pack([&](unsigned int, const unsigned int k) { return weight[k]; },
          packed.weight);
+    if (is_conforming())
+      return;
     pack([&](const unsigned int i,
              const unsigned int k) { return offset_of(i, k).x; },
          packed.dx);

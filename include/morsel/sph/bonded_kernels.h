@@ -57,6 +57,54 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     };
 
 
+    /// Where the particles of a row are, and from there their neighbours: what
+    /// the conforming gradient reads of a pair comes from memory, which bounds
+    /// its loops, so that positions are gathered; others have X_ij stored.
+    template <Gradient kind>
+    class Offsets
+    {
+    public:
+      MORSEL_INLINE
+      Offsets(const BondedArrays &a, const Row &row)
+          : a(a)
+      {
+        if constexpr (kind == Gradient::conforming)
+          gather_pairs(
+              [&](const unsigned int l) {
+                return a.reference + 2 * row.particle(l);
+              },
+              own_x,
+              own_y);
+      }
+
+      /// X_j - X_i of the pairs at @p k.
+      MORSEL_INLINE void
+      get(const unsigned int k, V &X, V &Y) const
+      {
+        if constexpr (kind == Gradient::conforming)
+          {
+            gather_pairs(
+                [&](const unsigned int l) {
+                  return a.reference + 2 * a.index[k + l];
+                },
+                X,
+                Y);
+            X -= own_x;
+            Y -= own_y;
+          }
+        else
+          {
+            X = load(a.dx + k);
+            Y = load(a.dy + k);
+          }
+      }
+
+    private:
+      const BondedArrays &a;
+      V                   own_x{}, own_y{};
+    };
+
+
     /// The displacement gradient H; with the conforming gradient
     /// H = sum u_ij (x) G_ij + H_fit R with R = I - sum X_ij (x) G_ij, the
     /// least change that keeps linear fields exact once bonds are cut.
@@ -72,6 +120,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
     {
       V u_x, u_y;
       gather_pairs(row.of(a.motion), u_x, u_y);
+      const Offsets<kind>     offsets(a, row);
       Matrix                  moment;
       [[maybe_unused]] Matrix sum;
       constexpr bool          conforming = kind == Gradient::conforming;
@@ -84,7 +133,9 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           du_x -= u_x;
           du_y -= u_y;
           const V w = load(a.weight + k);
-          moment.add(du_x, du_y, w * load(a.dx + k), w * load(a.dy + k));
+          V       X, Y;
+          offsets.get(k, X, Y);
+          moment.add(du_x, du_y, w * X, w * Y);
           if constexpr (conforming)
             sum.add(du_x, du_y, load(a.own_x + k), load(a.own_y + k));
         }

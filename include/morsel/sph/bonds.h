@@ -30,8 +30,9 @@ namespace Morsel::SPH
     /// but a conforming gradient.
     std::vector<unsigned int> near_end;
 
-    dealii::AlignedVector<double>       weight; ///< a_ij [1/m^2]
-    dealii::AlignedVector<double>       dx, dy; ///< X_j - X_i [m]
+    dealii::AlignedVector<double> weight; ///< a_ij [1/m^2]
+    /// X_j - X_i [m]; not with the conforming gradient.
+    dealii::AlignedVector<double>       dx, dy;
     dealii::AlignedVector<unsigned int> index;
 
     // Only with the conforming gradient.

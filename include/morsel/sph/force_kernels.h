@@ -90,6 +90,7 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
       else
         gather_pairs(row.of(a.motion), u_x, u_y);
       constexpr bool          conforming = kind == Gradient::conforming;
+      const Offsets<kind>     offsets(a, row);
       const PairStress *const weighted =
           conforming ? a.fit_stress : a.pair_stress;
       gather_records(row.of(weighted), T_xx, T_xy, T_yx, T_yy);
@@ -107,8 +108,9 @@ namespace Morsel::SPH::MORSEL_INSTRUCTION_SET
           const unsigned int  k     = s * group_size + offset;
           const unsigned int *index = a.index + k;
           const V             w     = load(a.weight + k);
-          const V             X = load(a.dx + k), Y = load(a.dy + k);
-          V                   du_x, du_y, dv_x, dv_y, S_xx, S_xy, S_yx, S_yy;
+          V                   X, Y;
+          offsets.get(k, X, Y);
+          V du_x, du_y, dv_x, dv_y, S_xx, S_xy, S_yx, S_yy;
           if constexpr (viscosity)
             gather_records(
                 neighbours_in(a.motion, index), du_x, du_y, dv_x, dv_y);

@@ -80,6 +80,7 @@ namespace Morsel::SPH
     const unsigned int *index;
 
     unsigned int                  n_owned;
+    const double                 *reference; ///< X, two of each [m]
     const Motion                 *motion;
     const Symmetric2             *shape;
     const double                 *hourglass, *damage;
