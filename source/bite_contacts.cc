@@ -73,8 +73,11 @@ namespace Morsel
           side.p_wave_modulus = softer;
         const auto   &surface = plates[first].surface;
         ParticleEdges edges;
-        edges.distance.assign(surface.nodes.size(), 0.);
-        edges.width                    = surface.tributary;
+        for (const double width : surface.tributary)
+          {
+            edges.of_particle.push_back({0., width});
+            edges.enlarge(edges.of_particle.back());
+          }
         Contact::ContactParameters law = scene.contact;
         law.law                        = "gap penalty";
         meetings.push_back(

@@ -15,11 +15,12 @@ namespace Morsel::Contact
     constexpr double like_distances = 1e-9;
 
 
-    double
-    largest(const std::vector<double> &values, const double otherwise)
+    /// Of any particle of the whole body.
+    ParticleEdge
+    largest_edge(const ParticleEdges &edges, const ParticleSide &side)
     {
-      return values.empty() ? otherwise
-                            : *std::max_element(values.begin(), values.end());
+      return edges.empty() ? ParticleEdge{0.5 * side.spacing, side.spacing}
+                           : edges.largest;
     }
 
 
@@ -35,9 +36,7 @@ namespace Morsel::Contact
   GapPenalty::GapPenalty(const ContactParameters &parameters,
                          const ParticleSide      &side,
                          const ParticleEdges     &edges)
-      : PlateContact(parameters,
-                     side,
-                     largest(edges.distance, 0.5 * side.spacing))
+      : PlateContact(parameters, side, largest_edge(edges, side).distance)
       , k(parameters.stiffness * side.p_wave_modulus * side.depth)
       , edges(edges)
   {}
@@ -46,7 +45,7 @@ namespace Morsel::Contact
   double
   GapPenalty::stiffness() const
   {
-    return k * largest(edges.width, side.spacing) / side.spacing;
+    return k * largest_edge(edges, side).width / side.spacing;
   }
 
 
@@ -113,7 +112,7 @@ namespace Morsel::Contact
   double
   AveragedGap::influence() const
   {
-    return range + largest(edges.width, side.spacing);
+    return range + largest_edge(edges, side).width;
   }
 
 
@@ -255,7 +254,8 @@ namespace Morsel::Contact
   {
     const auto [facet, foot] = nearest_facet(x, candidate, surface);
     const unsigned int i     = candidate.particle;
-    const double width = edges.width.empty() ? side.spacing : edges.width[i];
+    const double       width =
+        edges.empty() ? side.spacing : edges.of_particle[i].width;
     // The mean over the width differs from the foot by less than the width.
     if (foot.distance - edge_distance(i) > width)
       return {};

@@ -27,6 +27,28 @@ namespace Morsel::SPH
     }
 
 
+    /// The boundary is that of the outermost particles' cells; the nearer edge
+    /// at a corner.
+    ParticleEdge
+    edge_seen_from(const Cloud &cloud, const unsigned int particle)
+    {
+      double distance = cloud.spacing, width = 0.;
+      for (const CellFacet &facet : cloud.cells[particle].facets)
+        if (facet.at_boundary())
+          {
+            const double d =
+                facet.normal() * (facet.first - cloud.points[particle]);
+            if (d < distance)
+              {
+                distance = d;
+                width    = facet.length();
+              }
+          }
+      return width > 0. ? ParticleEdge{distance, width}
+                        : ParticleEdge{0.5 * cloud.spacing, cloud.spacing};
+    }
+
+
     Kernel
     kernel_of(const Scene::ParticleBody &body)
     {
@@ -166,25 +188,11 @@ namespace Morsel::SPH
     std::vector<double> areas;
     for (unsigned int i = 0; i < particles.n_local; ++i)
       {
-        const VoronoiCell &cell = cloud.cells[particles.id[i]];
-        areas.push_back(cell.area);
-        // From the outermost particles alone; the nearer edge at a corner.
-        double distance = cloud.spacing, width = 0.;
-        for (const CellFacet &facet : cell.facets)
-          if (facet.at_boundary())
-            {
-              const double d =
-                  facet.normal() * (facet.first - particles.reference[i]);
-              if (d < distance)
-                {
-                  distance = d;
-                  width    = facet.length();
-                }
-            }
-        const bool outermost = width > 0.;
-        edges.distance.push_back(outermost ? distance : 0.5 * cloud.spacing);
-        edges.width.push_back(outermost ? width : cloud.spacing);
+        areas.push_back(cloud.cells[particles.id[i]].area);
+        edges.of_particle.push_back(edge_seen_from(cloud, particles.id[i]));
       }
+    for (unsigned int k = 0; k < cloud.size(); ++k)
+      edges.enlarge(edge_seen_from(cloud, k));
     particles.set_areas(areas, depth, material.density);
   }
 

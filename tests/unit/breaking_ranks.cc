@@ -216,6 +216,11 @@ namespace
     set_velocities(alone, course.velocity);
     const double dt = alone.stable_time_step(0.);
     BOOST_CHECK_CLOSE(solid.stable_time_step(0.), dt, 1e-8);
+    // By it the contact's share of the step is chosen.
+    BOOST_TEST(solid.get_edges().largest.width ==
+               alone.get_edges().largest.width);
+    BOOST_TEST(solid.get_edges().largest.distance ==
+               alone.get_edges().largest.distance);
     const auto   momentum = solid.momentum();
     const double before   = whole_energy(alone.energies());
     double       impulse  = 0.;

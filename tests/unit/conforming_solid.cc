@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(edges_of_scattered_particles_lie_in_the_body)
                                         body.shape.upper_corner[0] - X[0],
                                         X[1],
                                         body.shape.upper_corner[1] - X[1]});
-          overlap           = std::max(overlap, edges.distance[i] - free);
+          overlap = std::max(overlap, edges.of_particle[i].distance - free);
         }
       BOOST_TEST_MESSAGE("scatter " << scatter << ": edges reach "
                                     << overlap / dp << " dp too far");

@@ -37,13 +37,15 @@ namespace Morsel::Contact
     double
     edge_distance(const unsigned int particle) const
     {
-      return edges.distance.empty() ? range : edges.distance[particle];
+      return edges.empty() ? range : edges.of_particle[particle].distance;
     }
 
     double
     stiffness_of(const unsigned int particle) const override
     {
-      return edges.width.empty() ? k : k * edges.width[particle] / side.spacing;
+      return edges.empty()
+                 ? k
+                 : k * edges.of_particle[particle].width / side.spacing;
     }
 
     const double        k; ///< of a particle of a lattice [N/m]
