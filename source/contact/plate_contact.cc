@@ -270,7 +270,9 @@ namespace Morsel::Contact
                               const Surface     &surface,
                               const double       travelled)
   {
-    if (searched_at.size() != n_owned)
+    // A rank may have no particles at all.
+    if (searched_at.size() != n_owned ||
+        searched_nodes.size() != surface.nodes.size())
       return true;
     const double limit = 0.5 * margin;
     moved              = motion_of(surface);

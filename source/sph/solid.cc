@@ -176,7 +176,9 @@ namespace Morsel::SPH
   std::vector<unsigned int>
   Solid::work_of_particles() const
   {
-    std::vector<unsigned int> work(particles.n_owned, 100);
+    // Measured, doc/performance.md.
+    std::vector<unsigned int> work(particles.n_owned,
+                                   bonds.is_conforming() ? 500 : 100);
     if (fracture)
       fracture->add_work(work);
     if (granular && granular->active())

@@ -23,10 +23,11 @@ namespace Morsel
     /// all ranks have to choose alike follows from these.
     ParticleEdge largest{0., 0.};
 
+    /// Not whether this rank has particles.
     bool
     empty() const
     {
-      return of_particle.empty();
+      return largest.width == 0.;
     }
 
     /// Takes a particle of the body into account, known to this rank or not.
