@@ -260,6 +260,10 @@ namespace Morsel::FE
               types::global_dof_index other = representative(entry->second);
               if (slave == other)
                 continue;
+              // From the later one to the earlier: ranks that meet them in
+              // another order would tie each to the other.
+              if (slave < other)
+                std::swap(slave, other);
               if (constraints.is_constrained(slave))
                 std::swap(slave, other);
               if (constraints.is_constrained(slave))
