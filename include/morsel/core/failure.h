@@ -12,7 +12,8 @@ namespace Morsel
   ///
   /// If all ranks fail, rank 0 alone speaks and every rank returns the status.
   /// If a rank fails alone, the others would wait for it for ever: it then
-  /// speaks and ends them all by MPI_Abort with its status.
+  /// speaks and ends them all by MPI_Abort with its status. Signals that come
+  /// after a failure are noted in silence, see catch_signals().
   /// @return the program's exit status.
   int
   exit_status_of(const std::function<void()> &work);
